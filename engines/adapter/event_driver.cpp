@@ -26,6 +26,15 @@ namespace {
 /// are no impact [-]. From 1 m/s down to the capture speed with restitution 0.99 takes 1400.
 constexpr std::size_t most_strikes = 10'000;
 
+/// After this many moves in a row without an impact [-], moves double in length with every few
+/// more: rounding may foretell one event after the other at the same instant.
+constexpr std::size_t patient_moves = 100;
+constexpr double moves_to_double = 10.0;
+
+/// After this many impacts in one step [-] a cable does not rebound if its gap would open by no
+/// more than rounding: several cables may pass such bounces to each other without end.
+constexpr std::size_t patient_impacts = 100;
+
 /// A swing to a foretold release is no shorter than this part of what is left of the step, so that
 /// the tension is past zero then [-].
 constexpr double shortest_swing = 1e-9;
@@ -81,12 +90,12 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
     std::fill(tension_impulses_.begin(), tension_impulses_.end(), 0.0);
     events_.clear();
     double rest = dt;
-    std::size_t idle = 0;  // moves since the latest strike
+    idle_ = 0;
     while (rest > 0.0 && !stop_) {
       const double time = clock_.now() + (dt - rest);
       complete_accumulation();
       hold_resting(time);
-      give_up(time, idle);
+      give_up(time);
       if (stop_) {
         break;
       }
@@ -102,7 +111,7 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
       }
       const std::size_t strikes = events_.size();
       strike(clock_.now() + (dt - rest));
-      idle = events_.size() > strikes ? 0 : idle + 1;
+      idle_ = events_.size() > strikes ? 0 : idle_ + 1;
     }
     clock_.advance(dt);
   }
@@ -124,10 +133,10 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
 
   /// Stops where the step has used up what it may. That says nothing about accumulation: an elastic
   /// ball needs no more than a long step.
-  void give_up(double time, std::size_t idle) {
+  void give_up(double time) {
     if (events_.size() > most_strikes) {
       stop(more_than_most("impacts in one step"), time);
-    } else if (idle > most_strikes) {
+    } else if (idle_ > most_strikes) {
       stop(more_than_most("moves in a row without an impact"), time);
     }
   }
@@ -161,8 +170,23 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
       if (!held_) {
         return stop("no motion holds the taut cables", time);
       }
+      let_go(now, resting - held_->taut());
     }
     taut_ = held_ ? held_->taut() : CableSet{};
+  }
+
+  /// Cables that are let go at zero gap and rate, though by rounding they neither pull nor open, go
+  /// by their acceleration, or if that is rounding by the derivative after it. What rounding leaves
+  /// of the others would bring them back at once, and so for ever.
+  void let_go(const State& state, CableSet cables) {
+    const double rounding = rounding_.rate * acceleration_scale(case_, state);
+    for (const std::size_t index : cables) {
+      std::size_t& zeros = held_->zeros[index];
+      const bool is_rounding = 2.0 * std::abs(held_->motion.gap(index)[2]) <= rounding;
+      if (zeros < 2) {
+        zeros = is_rounding ? 3 : 2;
+      }
+    }
   }
 
   /// When something given over time is not smooth next, and how long until then [s]; never in the
@@ -203,10 +227,13 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
   /// Flies to the first contact, at most `rest` [s], and returns how long that took. Leaves in
   /// `touching_` the cables in contact there: what is known to touch holds for one instant only.
   double fly_to_contact(double rest, double time) {
-    const auto [dt, contact] = first_on_flight(rest);
+    auto [dt, contact] = first_on_flight(rest);
     if (std::isnan(dt)) {
       stop("numbers overflow", time);
       return rest;
+    }
+    if (idle_ > patient_moves) {
+      dt = std::clamp(dt, shortest_move(adapter_->state(), rest), rest);
     }
     const auto fly = [this](double length) {
       adapter_->fly(length);
@@ -293,11 +320,15 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
   }
 
   /// The shortest swing to a foretold release, at most `rest` [s]: in less the velocity would not
-  /// change by more than the engine rounds, and the tension might stay what it is for ever.
+  /// change by more than the engine rounds, and the tension might stay what it is for ever. Moves
+  /// that lead to no impact grow.
   [[nodiscard]] double shortest_move(const State& start, double rest) const {
     const double rounding = rounding_.rate * speed_scale(case_, start);
-    return std::min(rest,
-                    std::max(shortest_swing * rest, rounding / acceleration_scale(case_, start)));
+    const double shortest =
+        std::max(shortest_swing * rest, rounding / acceleration_scale(case_, start));
+    const double doublings =
+        idle_ > patient_moves ? static_cast<double>(idle_ - patient_moves) / moves_to_double : 0.0;
+    return std::min(rest, shortest * std::exp2(doublings));
   }
 
   /// By how long the end of a swing is too late [s] for the contact of `expected`, or of the slack
@@ -356,9 +387,19 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
     Eigen::Index row = 0;
     for (const std::size_t index : cables) {
       const double rate = gap_rate(case_.cables[index], now);
-      rates[row++] = restitution(case_.cables[index], rate) * std::max(0.0, -rate);
+      const double rebound = restitution(case_.cables[index], rate) * std::max(0.0, -rate);
+      rates[row++] = is_unseen(case_.cables[index], now, rebound) ? 0.0 : rebound;
     }
     return adapter_->solve(cables, rates);
+  }
+
+  /// True if a `rebound` [m/s] opens the gap by no more than rounding, in a step that has seen
+  /// many.
+  template <class Cable>
+  [[nodiscard]] bool is_unseen(const Cable& cable, const State& now, double rebound) const {
+    return events_.size() > patient_impacts &&
+           rebound * rebound <=
+               2.0 * acceleration_scale(case_, now) * rounding_.gap * gap_scale(cable, now);
   }
 
   /// The cable that closes fastest by itself, until none closes by more than `rounding` [m/s].
@@ -386,7 +427,8 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
   CableSet touching_;           // at zero gap now
   CableSet taut_;               // of those, the ones that stay so
   std::optional<BasicHold<TheCase>>
-      held_;  // the exact motion from here while cables pull, or as they let go
+      held_;              // the exact motion from here while cables pull, or as they let go
+  std::size_t idle_ = 0;  // moves since the latest strike of the step
   std::vector<double> impulses_;
   std::vector<double> tension_impulses_;
   std::vector<Event> events_;

@@ -6,7 +6,6 @@
 //   speed              [m/s], to which the engine cuts a velocity without a word
 //   turn, move         [rad], [m] in a step, to which it does
 //   inSpace            what of these is otherwise in space
-//   drifts             the engine changes the spin of a body that no moment turns
 //
 // of which all but the first may be absent.
 

@@ -7,13 +7,13 @@
 //   prepare(time, dt)         of an engine's own cables: where ends and lengths are at the end of a step
 //   step(dt), pulls(dt), free()    as in the plane
 
-import { actsAt, bodiesOf, cross, dot, given, norm, normalized, numbersOf, plus, rotated, rotatedBack, systemRow, turned } from "../../protocol/javascript/space.mjs";
+import { actsAt, bodiesOf, cross, dot, followed, given, norm, normalized, numbersOf, plus, rotated, rotatedBack, systemRow, turned } from "../../protocol/javascript/space.mjs";
 import { checkMotion } from "./caps.mjs";
 import { partsOf } from "./flight.mjs";
 import { impulsesOfMany } from "./impulses.mjs";
 import { unseen } from "./plane.mjs";
 
-const still = [0, 0, 0];
+const still = [0, 0, 0], level = [1, 0, 0, 0];
 const times = (v, factor) => v.map((number) => factor * number);
 
 /** One over mass and moments, six numbers a body; a point mass is not turned. */
@@ -54,9 +54,36 @@ const isMoved = ({ length, ends }) => [length, ...ends.map(({ motion }) => motio
 /** The rate [m/s] that ends and length alone give the gap of a cable at `time` [s]. */
 const givenRate = (cable, bodies, time) => (isMoved(cable) ? systemRow(cable, bodies.map((body) => ({ ...body, velocity: still, spin: still })), time).rate : 0);
 
+/**
+ * `body` of an engine, which flies each step from the origin without a turn. An engine in float rounds the pose in each step, some to one
+ * side: near the origin that is little. `from` adds up the ways of the steps, in doubles. `bringHome` follows each step.
+ */
+function flownFromHome(body) {
+  let from = { position: still, orientation: level };
+  const read = () => {
+    const { position, orientation, velocity, turning } = body.read();
+    return { position: plus(from.position, position), orientation: followed(from.orientation, normalized(orientation)), velocity, turning: rotated(from.orientation, turning) };
+  };
+  const place = (position, orientation) => {
+    from = { position, orientation: normalized(orientation) };
+    body.place(still, level);
+  };
+  return {
+    read,
+    place,
+    setVelocity: (velocity, turning) => body.setVelocity(velocity, rotatedBack(from.orientation, turning)),
+    /** Set the velocity after it. */
+    bringHome() {
+      const { position, orientation } = read();
+      place(position, orientation);
+    },
+  };
+}
+
 /** The world of `engine` with a clock, whose bodies carry what is given over time. */
 function worldOf(engine, system, options) {
   const bare = engine.system(system, options);
+  if (options.exact && engine.precision === "float32") bare.bodies = bare.bodies.map(flownFromHome);
   let time = 0;
   const setVelocity = (i, { orientation, velocity, spin }) => bare.bodies[i].setVelocity(velocity, rotated(orientation, spin));
   const world = {
@@ -73,6 +100,7 @@ function worldOf(engine, system, options) {
     },
     setVelocity,
     turningOf: (i) => bare.bodies[i].read().turning,
+    bringHome: () => bare.bodies.forEach((body) => body.bringHome?.()),
     setTurning: (i, velocity, turning) => bare.bodies[i].setVelocity(velocity, turning),
     /** The engine's own step under `fall`, its gravity. */
     advance(dt, fall) {
@@ -186,10 +214,12 @@ export const space = {
         return { turning, factor, given: world.turningOf(i) };
       });
       world.advance(h, fall);
-      world.state().bodies.forEach((body, i) => {
+      const flown = world.state().bodies, turnings = flown.map((_, i) => world.turningOf(i));
+      world.bringHome();
+      flown.forEach((body, i) => {
         const { turning, factor, given: was } = set[i], { inertia: [first, ...others] } = system.bodies[i];
-        const keeps = flight.drifts && others.every((moment) => moment === first);
-        const changed = keeps ? still : plus(world.turningOf(i), was, -1);
+        const keeps = engine.precision === "float32" && others.every((moment) => moment === first); // a change is rounding
+        const changed = keeps ? still : plus(turnings[i], was, -1);
         const own = plus(turning, changed, 1 / factor);
         world.setVelocity(i, half(i, { ...body, spin: rotatedBack(body.orientation, own) }, 1));
       });

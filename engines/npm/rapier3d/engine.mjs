@@ -15,7 +15,7 @@ const engine = {
   title: "Rapier",
   precision: "float32",
   // no setting lifts the caps; a substep turns by twice an arctangent
-  flight: { substeps, spinFor: (spin, dt) => (Math.tan((spin * dt) / (2 * substeps)) * 2 * substeps) / dt, speed: 400, turn: Math.PI / 4, drifts: true },
+  flight: { substeps, spinFor: (spin, dt) => (Math.tan((spin * dt) / (2 * substeps)) * 2 * substeps) / dt, speed: 400, turn: Math.PI / 4 },
   world,
   system,
   gyroscopicTerm: true,

@@ -20,11 +20,12 @@ export function normalized(q) {
   return q.map((number) => number / length);
 }
 
-/** The orientation `q` after a turn by `by` [rad] in the axes of the body. */
-export function turned([w, x, y, z], by) {
-  const angle = norm(by), c = Math.cos(angle / 2), s = angle > 0 ? Math.sin(angle / 2) / angle : 0, axis = [x, y, z];
-  const [i, j, k] = plus(plus(cross(axis, by).map((one) => s * one), axis, c), by, s * w);
-  return normalized([c * w - s * dot(axis, by), i, j, k]);
+/** The orientation `q` after the turn `r`, in the axes of the body. */
+export const followed = ([w, ...axis], [c, ...by]) => normalized([c * w - dot(axis, by), ...plus(plus(cross(axis, by), axis, c), by, w)]);
+/** The orientation `q` after a turn by `by` [rad]. */
+export function turned(q, by) {
+  const angle = norm(by), s = angle > 0 ? Math.sin(angle / 2) / angle : 0;
+  return followed(q, [Math.cos(angle / 2), ...by.map((one) => s * one)]);
 }
 
 /** The bodies of the numbers of a message, and back. */

@@ -122,18 +122,17 @@ class ExactSimulation final : public BasicSimulation<TheCase>, public TensionImp
 
 /// The yardstick as a model: what a correct scheme that knows nothing of cables but their rows
 /// makes of a case.
-template <class TheCase>
-class PlainSimulation final : public BasicSteppedSimulation<TheCase> {
+class PlainSimulation final : public SteppedSimulation {
  public:
-  PlainSimulation(const TheCase& the_case, const RunSettings& /*run*/)
-      : scheme_(the_case, BasicPlainScheme<TheCase>::Acts::late) {}
+  PlainSimulation(const Case& the_case, const RunSettings& /*run*/)
+      : scheme_(the_case, PlainScheme::Acts::late) {}
 
-  [[nodiscard]] StateOf<TheCase> state() const override { return scheme_.state(); }
+  [[nodiscard]] State state() const override { return scheme_.state(); }
   void step(double dt) override { scheme_.step(dt); }
   [[nodiscard]] std::span<const double> impulses() const override { return scheme_.impulses(); }
 
  private:
-  BasicPlainScheme<TheCase> scheme_;
+  PlainScheme scheme_;
 };
 
 ModelEntry plain() {
@@ -142,8 +141,7 @@ ModelEntry plain() {
                                 "yardstick that every model with fixed steps is judged by.",
                     .settings = {},
                     .maker = Maker::tautline},
-          .start = makes<PlainSimulation<Case>>(),
-          .start_system = makes<PlainSimulation<SpatialSystem>>(),
+          .start = makes<PlainSimulation>(),
           .follows_speed = true};
 }
 

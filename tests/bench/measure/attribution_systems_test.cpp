@@ -30,10 +30,10 @@ std::string described(const Attribution& found) {
 
 /// The attribution of the scheme on `system`, spoilt; its parts are the whole.
 Attribution attributed(const SpatialSystem& system, const Spoiled::Spoil& before = {},
-                       const Spoiled::Spoil& after = {}) {
+                       const Spoiled::Spoil& after = {}, double step = step_of_runs) {
   const ReferenceSystem reference = solve_case(system, ImpactLaw::simultaneous);
   Spoiled simulation(system, before, after);
-  const SystemTrajectory run = record(system, simulation, step_of_runs);
+  const SystemTrajectory run = record(system, simulation, step);
   Attribution found = attribute(system, reference.solution, reference.horizon, run);
   EXPECT_TRUE(found.parts) << system.name << ": " << found.reason;
   double sum = found.remainder;
@@ -103,8 +103,13 @@ TEST(AttributionOfSystems, NamesAWrongGravity) {
 }
 
 TEST(AttributionOfSystems, FindsNoFaultInTheImpactsOfASoundScheme) {
-  const Attribution found = attributed(shipped("tethered-ball"));
-  EXPECT_LT(share(found, Cause::solver_residual), 0.01) << described(found);
+  // in the step of an impact the scheme's impulse holds the body against gravity, too: the step
+  // explains that, and a shorter one has less of it
+  const SpatialSystem system = shipped("tethered-ball");
+  const Attribution coarse = attributed(system);
+  const Attribution fine = attributed(system, {}, {}, 0.1 * step_of_runs);
+  EXPECT_LT(part(fine, Cause::solver_residual), 0.2 * part(coarse, Cause::solver_residual))
+      << described(coarse) << described(fine);
 }
 
 TEST(AttributionOfSystems, KnowsCablesByNumberWhereOneIsCut) {

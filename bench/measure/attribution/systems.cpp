@@ -190,7 +190,7 @@ class SystemBuilder {
  public:
   SystemBuilder(const SpatialSystem& system, const SystemTrajectory& run,
                 const SystemSegment& segment, const BasicSolution<SpatialSystem>& exact)
-      : system_(system), run_(run), segment_(segment), end_(run.points[segment.last].time) {
+      : system_(system), segment_(segment), end_(run.points[segment.last].time) {
     for (const SystemImpact& impact : run.impacts) {
       const std::size_t at = step_at(run, impact.time);
       if (at >= segment.first && at < segment.last) {
@@ -295,7 +295,6 @@ class SystemBuilder {
   }
 
   const SpatialSystem& system_;
-  const SystemTrajectory& run_;
   const SystemSegment& segment_;
   double end_;  // [s]
   std::vector<Matched> hits_;

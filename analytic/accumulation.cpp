@@ -23,6 +23,11 @@ CableSet within_reach(const TheCase& the_case, const StateOf<TheCase>& state, Ca
       continue;
     }
     const CableOf<TheCase>& cable = the_case.cables[index];
+    if constexpr (TheCase::has_several_bodies) {
+      if (cable.elasticity) {  // it never closes
+        continue;
+      }
+    }
     const Real rate = gap_rate(cable, state);
     const Real own = delassus(the_case, state, index);
     // what the impulses of the bounces change its rate by, of which each turns one of them round
@@ -144,6 +149,11 @@ template <class TheCase>
 bool overstretches(const TheCase& the_case, const StateOf<TheCase>& state, CableSet cables) {
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     const CableOf<TheCase>& cable = the_case.cables[index];
+    if constexpr (TheCase::has_several_bodies) {
+      if (cable.elasticity) {
+        continue;
+      }
+    }
     if (!cables.contains(index) &&
         gap(cable, state) < -rounding_margin * rounding_of_gap(cable, state)) {
       return true;
@@ -199,6 +209,11 @@ std::optional<BasicCompletion<TheCase>> completion(const TheCase& the_case,
         (limits.speed ? bounces->speed > *limits.speed : !(bounces->error <= limits.error)) ||
         bounces->remaining + bounces->uncertainty > time_to_knot(the_case, state)) {
       return std::nullopt;
+    }
+    if constexpr (TheCase::has_several_bodies) {
+      if (may_engage(the_case, state, Real(bounces->remaining + bounces->uncertainty), scale)) {
+        return std::nullopt;
+      }
     }
     CableSet near = within_reach(the_case, state, cables, *bounces, scale);
     if (!are_slow(the_case, state, near, limits, scale)) {

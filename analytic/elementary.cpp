@@ -1,5 +1,6 @@
 // The functions of <cmath> that round as each library likes, by arithmetic alone.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -138,6 +139,26 @@ double atan2(double y, double x) {
     angle = pi<double>() / 2 - angle;
   }
   return copysign(std::signbit(x) ? pi<double>() - angle : angle, y);
+}
+
+double exp(double value) {
+  constexpr double largest = 746.0;  // in size: beyond it is 0 or infinite
+  const double power = std::clamp(value, -largest, largest);
+  const double doublings = nearest(power / std::numbers::ln2);
+  constexpr double high = 0x1.62e42fefap-1;  // of ln 2, whose products with integers are exact
+  constexpr double low = 0x1.cf79abc9e3b39p-40;
+  const double x = (power - doublings * high) - doublings * low;  // up to 0.35
+  double sum = 0.0;
+  constexpr int terms = 16;  // 0.35^16 / 16! is below rounding
+  for (int k = terms; k > 0; --k) {
+    sum = x * (1.0 + sum) / k;
+  }
+  return std::ldexp(1.0 + sum, static_cast<int>(doublings));
+}
+
+double log(double value) {
+  const double near = logarithm(value);
+  return near + (value * exp(-near) - 1.0);  // Newton's method doubles its nine digits
 }
 
 double root(double value, double degree) {

@@ -215,6 +215,11 @@ BasicFirstContact<Real> first_change(const TheCase& the_case, const BasicHold<Th
     if (held.following.contains(index)) {
       continue;
     }
+    if constexpr (TheCase::has_several_bodies) {
+      if (the_case.cables[index].elasticity) {  // see `first_switch`
+        continue;
+      }
+    }
     const bool pulls = held.pulling.contains(index);
     const Polynomial<Real> f(pulls ? held.motion.tension(index) : held.motion.gap(index),
                              held.zeros[index]);

@@ -121,6 +121,12 @@ BasicCableVector<RealOf<TheCase>> BasicSolution<TheCase>::tensions(const BasicAr
                                                                    const Real& dt) const {
   BasicCableVector<Real> result =
       BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(system_.cables.size()));
+  if constexpr (TheCase::has_several_bodies) {
+    for (const std::size_t index : arc.initial.elastic.engaged) {
+      result[static_cast<Eigen::Index>(index)] =
+          max(Real(0), elastic_tension(system_, index, arc.after(dt, gravity())));
+    }
+  }
   if (arc.taut.empty()) {
     return result;
   }
@@ -146,6 +152,10 @@ std::string_view to_string(EventKind kind) {
       return "taut";
     case EventKind::slack:
       return "slack";
+    case EventKind::entry:
+      return "entry";
+    case EventKind::exit:
+      return "exit";
   }
   return "unknown";
 }

@@ -56,6 +56,9 @@ class Motion final : public PausedMotion<TheCase> {
         record_(std::move(record)) {
     touching_.cables = touching;
     touching_.note_speed(case_, state_);
+    if constexpr (TheCase::has_several_bodies) {
+      state_ = with_zones(case_, std::move(state_));
+    }
     check_limits();
   }
 
@@ -87,6 +90,11 @@ class Motion final : public PausedMotion<TheCase> {
         return finish(*ending);
       }
       stop = next_stop(case_, state_, touching_, held_, now().remaining);
+      if constexpr (TheCase::has_several_bodies) {
+        if (const auto dt = find_switch(stop.dt)) {
+          stop = {*dt, std::nullopt, {}};
+        }
+      }
     }
     const CableSet pulled = pulling();  // before `move` goes on
     if (const auto ending = move(stop)) {
@@ -298,6 +306,9 @@ class Motion final : public PausedMotion<TheCase> {
     }
     touching_.time_rounding = epsilon<Real>() * time_;
     touching_.note_speed(case_, state_);
+    if constexpr (TheCase::has_several_bodies) {
+      switch_elastic(stop);
+    }
     steps_ += stop.cables.empty() ? 1U : 0U;
     // a step is only made in a hold; one without cables is free flight from now on
     const bool goes_on = stop.is_step && (!TheCase::flies_in_closed_form || !held_->taut().empty());
@@ -305,6 +316,42 @@ class Motion final : public PausedMotion<TheCase> {
     if (held_ && is_singular(*held_, time_)) {
       held_.reset();  // `hold_resting` looks again, and ends the motion if it is so
     }
+  }
+
+  /// Looks for the first switch of an elastic cable before `until` [s], and returns when it is [s].
+  [[nodiscard]] std::optional<Real> find_switch(const Real& until) {
+    const auto first = first_switch(case_, state_, held_->motion, touching_.at_zero, until);
+    if (!first) {
+      return std::nullopt;
+    }
+    touching_.switches = first->switches;
+    return first->dt;
+  }
+
+  /// Lets elastic cables change their zones where the motion has arrived at `stop`: without a jump.
+  void switch_elastic(const Stop<Real>& stop) {
+    const auto switches = std::exchange(touching_.switches, {});
+    if (stop.dt > 0) {
+      touching_.at_zero = {};
+    }
+    if (stop.is_knot || !switches.empty()) {
+      StateOf<TheCase> after = switched(case_, state_, switches);
+      touching_.at_zero = touching_.at_zero | at_zero_after(switches, state_, after);
+      enter(stop.is_knot ? with_zones(case_, std::move(after)) : std::move(after));
+    }
+  }
+
+  /// Goes on in `after`, the present with other zones, and records what engages and lets go.
+  void enter(StateOf<TheCase> after) {
+    const CableSet before = state_.elastic.engaged;
+    const CableSet engaged = after.elastic.engaged;
+    if (const CableSet left = before - engaged; !left.empty()) {
+      record(EventKind::exit, left, no_impulses<Real>(left), after);
+    }
+    if (const CableSet entered = engaged - before; !entered.empty()) {
+      record(EventKind::entry, entered, no_impulses<Real>(entered), after);
+    }
+    state_ = std::move(after);
   }
 
   /// Resolves the impact of the touching cables that close or rest; one that grazes is left alone.
@@ -331,8 +378,15 @@ class Motion final : public PausedMotion<TheCase> {
   /// Appends an event that takes the present state to `after`.
   void record(EventKind kind, CableSet cables, BasicCableVector<Real> impulses,
               StateOf<TheCase> after) {
+    const bool jumps = TheCase::has_several_bodies && !impulses.isZero(0);
     record_.events.push_back({time_, kind, cables, std::move(impulses), state_, after});
     state_ = std::move(after);
+    if constexpr (TheCase::has_several_bodies) {
+      touching_.at_zero = jumps ? CableSet{} : touching_.at_zero;
+      if (jumps && !state_.elastic.stretched().empty()) {  // their tensions have jumped, too
+        enter(with_zones(case_, state_));
+      }
+    }
   }
 
   /// Ends the motion here, with an arc that says so unless its duration is over.

@@ -40,6 +40,9 @@ BasicJump<Real> saltation(const BasicInstant<Real>& instant, CableSet taut) {
       case EventKind::slack:  // state and forces are continuous: nothing to add
         taut = taut - event.cables;
         break;
+      case EventKind::entry:  // elastic cables are of systems
+      case EventKind::exit:
+        break;
     }
   }
   if (hit.empty()) {

@@ -89,12 +89,28 @@ void BasicSystemMotion<Real, D>::find_end() {
   }
 }
 
-/// Writes the bodies of one island to the state of all.
+/// Writes the bodies and the elastic cables of one island to the state of all.
 template <class Real, int D>
 void BasicSystemMotion<Real, D>::put(const Part& part, const BasicSystemState<Real, D>& of_part,
                                      BasicSystemState<Real, D>& whole) const {
   for (std::size_t i = 0; i < part.island.bodies.size(); ++i) {
     whole.bodies[part.island.bodies[i]] = of_part.bodies[i];
+  }
+  if (of_part.elastic.damping.empty()) {
+    return;
+  }
+  auto& [engaged, loose, damping] = whole.elastic;
+  damping.resize(system_.cables.size(), Real(0));
+  for (std::size_t i = 0; i < part.island.cables.size(); ++i) {
+    const std::size_t index = part.island.cables[i];
+    damping[index] = of_part.elastic.damping[i];
+    engaged.erase(index);
+    loose.erase(index);
+    if (of_part.elastic.engaged.contains(i)) {
+      engaged.insert(index);
+    } else if (of_part.elastic.loose.contains(i)) {
+      loose.insert(index);
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "local_origin.hpp"
 #include "single_impact.hpp"
+#include "system/elastic.hpp"
 #include "system/energetic.hpp"
 #include "system/rows.hpp"
 #include "system/series.hpp"
@@ -116,12 +117,12 @@ template <class Real, int D>
 
 // ---- cables
 
-/// True where the gaps of both cables are equal at all poses and times.
+/// True where both cables are inextensible and their gaps are equal at all poses and times.
 template <class Real, int D>
 [[nodiscard]] bool side_by_side(const BasicCableOfSystem<Real, D>& a,
                                 const BasicCableOfSystem<Real, D>& b) {
-  return a.from == b.from && a.through == b.through && a.to == b.to && a.length == b.length &&
-         a.from_time == b.from_time && a.cut_at == b.cut_at;
+  return !a.elasticity && !b.elasticity && a.from == b.from && a.through == b.through &&
+         a.to == b.to && a.length == b.length && a.from_time == b.from_time && a.cut_at == b.cut_at;
 }
 
 /// One cable closes: Newton's law in closed form (Eq. 14).
@@ -197,11 +198,14 @@ template <class Real, int D>
 template <class Real, int D>
 [[nodiscard]] std::optional<std::string> refusal(const BasicSystem<Real, D>& system,
                                                  ImpactLaw law) {
-  if (law != ImpactLaw::energetic || system.cables.size() <= most_energetic) {
+  const auto count =
+      static_cast<std::size_t>(std::count_if(system.cables.begin(), system.cables.end(),
+                                             [](const auto& cable) { return !cable.elasticity; }));
+  if (law != ImpactLaw::energetic || count <= most_energetic) {
     return std::nullopt;
   }
   return "impact law energetic takes up to " + std::to_string(most_energetic) +
-         " cables between bodies that they join; here are " + std::to_string(system.cables.size()) +
+         " cables between bodies that they join; here are " + std::to_string(count) +
          ": choose simultaneous, poisson or sequential";
 }
 

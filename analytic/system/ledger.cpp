@@ -6,27 +6,44 @@
 namespace tautline {
 namespace {
 
-/// The work along `arc` [J].
+/// Adds what happens along `arc`.
 template <class Real, int D>
-Real work_along(const BasicSystem<Real, D>& system, const BasicArc<BasicSystem<Real, D>>& arc) {
-  constexpr Eigen::Index least_rows = 3;  // a series shorter than that is a rest
-  if (arc.series.rows() < least_rows || !(arc.end > arc.start)) {
-    return Real(0);
+void add_arc(const BasicSystem<Real, D>& system, const BasicArc<BasicSystem<Real, D>>& arc,
+             BasicSystemLedger<Real>& ledger) {
+  const auto motion = motion_along(system, arc);
+  if (!motion) {
+    return;
   }
-  CableSet pulling;
-  if (!arc.taut.empty()) {  // what redundant cables share has the same work
-    const CableRows<BasicSystem<Real, D>> rows(system, arc.initial, arc.taut);
-    const CableSet basis = rows.most_independent();
-    std::size_t row = 0;
-    for (const std::size_t index : arc.taut) {
-      if (basis.contains(row++)) {
-        pulling.insert(index);
-      }
+  const Real dt = arc.end - arc.start;
+  ledger.work += motion->work(dt);
+  for (const std::size_t index : arc.initial.elastic.engaged) {
+    ledger.dissipated += motion->dissipated(index, dt);
+  }
+  for (const std::size_t index : arc.initial.elastic.loose) {
+    const auto& law = *system.cables[index].elasticity;
+    const Polynomial<Real> gap(motion->gap(index));
+    ledger.dissipated += spring_energy(law, Real(-gap.at(Real(0)).value)) -
+                         spring_energy(law, Real(-gap.at(dt).value));
+  }
+}
+
+/// Adds what stretched elastic cables store where they are hooked up or cut.
+template <class Real, int D>
+void add_hooks_and_cuts(const BasicSystem<Real, D>& system,
+                        const BasicSolution<BasicSystem<Real, D>>& solution,
+                        BasicSystemLedger<Real>& ledger) {
+  const auto stored = [&](BasicCableOfSystem<Real, D> cable, const Real& time) {
+    cable.cut_at.reset();
+    return spring_energy(*cable.elasticity, Real(-gap(cable, solution.at(time))));
+  };
+  for (const auto& cable : system.cables) {
+    if (cable.elasticity && cable.from_time && *cable.from_time <= solution.end_time()) {
+      ledger.work += stored(cable, *cable.from_time);
+    }
+    if (cable.elasticity && cable.cut_at && *cable.cut_at <= solution.end_time()) {
+      ledger.dissipated += stored(cable, *cable.cut_at);
     }
   }
-  const auto order = static_cast<std::size_t>(arc.series.rows() - 1);
-  const SystemSeries<Real, D> motion(system, arc.initial, pulling, order);
-  return motion.work(Real(arc.end - arc.start));
 }
 
 }  // namespace
@@ -38,21 +55,27 @@ BasicSystemLedger<Real> energy_ledger(const BasicSystem<Real, D>& system,
   const Real end = kinetic_energy(system.bodies, solution.at(solution.end_time()));
   BasicSystemLedger<Real> result{start, Real(0), Real(0), Real(0), end, Real(0), max(start, end)};
   for (const auto& arc : solution.arcs()) {
-    result.work += work_along(system, arc);
-    const Real now = kinetic_energy(system.bodies, arc.initial);
+    add_arc(system, arc, result);
+    const Real now =
+        max(kinetic_energy(system.bodies, arc.initial), stored_energy(system, arc.initial));
     result.range = max(result.range, max(now, Real(abs(result.work))));
   }
   for (const auto& event : solution.events()) {
-    if (event.kind == EventKind::slack) {
+    if (event.kind != EventKind::impact && event.kind != EventKind::taut) {
       continue;
     }
     const Real work = work_of_impulses(system, event.before, event.cables, event.impulses);
     const Real lost = kinetic_energy(system.bodies, event.before) + work -
-                      kinetic_energy(system.bodies, event.after);
+                      kinetic_energy(system.bodies, event.after) +
+                      (stored_energy(system, event.before) - stored_energy(system, event.after));
     result.work += work;
     (event.kind == EventKind::impact ? result.impacts : result.completions) += lost;
   }
-  result.residual = end - start - result.work + result.impacts + result.completions;
+  add_hooks_and_cuts(system, solution, result);
+  result.stored = stored_energy(system, solution.at(solution.end_time())) -
+                  stored_energy(system, system.initial);
+  result.residual = end - start - result.work + result.impacts + result.completions +
+                    result.stored + result.dissipated;
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include "system/least_value.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/system.hpp"
+#include "tautline/system_geometry.hpp"
 #include "words.hpp"
 
 namespace tautline {
@@ -18,6 +19,9 @@ namespace {
 /// A shorter segment of a cable through a ring has no direction: as a share of the cable
 /// [-].
 constexpr double shortest_segment = 1e-6;
+
+/// The frequency of an elastic cable times the duration may be this [-]: a million steps.
+constexpr double most_radians = 2.5e6;
 
 /// The place of `end` in the world at the start [m].
 template <int D>
@@ -106,6 +110,12 @@ class SystemChecker {
     if (wrong_.none()) {
       check_start();
     }
+    for (std::size_t index = 0; wrong_.none() && index < system_.cables.size(); ++index) {
+      if (system_.cables[index].elasticity) {
+        check_frequency(index, system_.cables[index]);
+        check_turn(index, system_.cables[index]);
+      }
+    }
     return std::move(wrong_).found();
   }
 
@@ -186,6 +196,88 @@ class SystemChecker {
       }
       wrong_.restitution(index, cable);
       check_times(index, cable);
+      if (cable.elasticity) {
+        check_elasticity(index, cable);
+      }
+    }
+  }
+
+  void check_elasticity(std::size_t index, const CableOfSystem& cable) {
+    const Elasticity& law = *cable.elasticity;
+    if (law.stiffness.empty()) {
+      wrong_.add(cable_name(index) +
+                 ": stiffness is empty; must have at least one coefficient [N/m]");
+    } else {
+      wrong_.divisor({"stiffness", index}, law.stiffness.front(), "[N/m]");
+      wrong_.finite({"stiffness", index}, std::span(law.stiffness).subspan(1));
+    }
+    wrong_.zero_or_above({"damping", index}, law.damping, "[N s/m]");
+    wrong_.zero_or_above({"damping_ratio", index}, law.damping_ratio, "[-]");
+    if (law.damping > 0.0 && law.damping_ratio > 0.0) {
+      wrong_.add(cable_name(index) + ": damping " + text(law.damping) + " and damping_ratio " +
+                 text(law.damping_ratio) + " are both given; one of them must be left out");
+    }
+    if (cable.restitution != 1.0 || cable.capture_speed > 0.0 || !cable.restitution_table.empty()) {
+      wrong_.add(cable_name(index) +
+                 ": restitution, capture_speed and restitution_table are for inextensible cables; "
+                 "with a stiffness they must be left out, and damping_ratio does their part");
+    }
+  }
+
+  /// The frequency of an elastic cable says how many steps its motion takes.
+  void check_frequency(std::size_t index, const CableOfSystem& cable) {
+    CableOfSystem acting = cable;
+    acting.from_time.reset();
+    acting.cut_at.reset();
+    const Elasticity& law = *cable.elasticity;
+    const RowOf<System> row = gap_gradient(acting, system_.initial);
+    const double response = row.dot(row.cwiseProduct(inverse_mass(system_.bodies)));
+    const double frequency = std::sqrt(law.stiffness.front() * response);
+    const double ratio =
+        law.damping_ratio > 0.0 ? law.damping_ratio : law.damping * response / (2.0 * frequency);
+    const double above = std::max(1.0, ratio);  // from where on the damper is the faster of both
+    const double fastest = frequency * (above + std::sqrt(above * above - 1.0));
+    const double most = most_radians / system_.duration;
+    if (fastest > most) {
+      const double share = most / fastest;
+      wrong_.add(cable_name(index) + ": its frequency, " + text(fastest) +
+                 " rad/s, must be at most " + text(most) + " rad/s for a duration of " +
+                 text(system_.duration) + " s: make it inextensible with restitution " +
+                 text(restitution_of(ratio)) +
+                 ", which its contacts have, or lower its stiffness to " +
+                 text(law.stiffness.front() * share * share) + " N/m");
+    }
+  }
+
+  /// A force that falls while the stretch grows pulls ever less.
+  void check_turn(std::size_t index, const CableOfSystem& cable) {
+    const Elasticity& law = *cable.elasticity;
+    Function<1> slope;
+    slope.pieces.push_back({0.0, {}});
+    for (std::size_t i = 0; i < law.stiffness.size(); ++i) {
+      slope.pieces.front().coefficients.push_back(
+          Function<1>::Value(static_cast<double>(i + 1) * law.stiffness[i]));
+    }
+    const double length = cable.length.at(0.0)[0];
+    double weight = 0.0;  // [N]
+    for (const auto& body : system_.bodies) {
+      weight += body.mass * system_.gravity.at(0.0).norm() + body.force.at(0.0).norm();
+    }
+    const double energy =
+        kinetic_energy(system_.bodies, system_.initial) + stored_energy(system_, system_.initial);
+    constexpr double shortest = 1e-9;  // [-], of the length
+    constexpr double longest = 1e9;
+    for (double reach = shortest; reach < longest; reach *= 2.0) {
+      const double stretch = reach * length;
+      if (const auto found = not_above_zero(slope, 0.0, stretch)) {
+        wrong_.add(cable_name(index) + ": its force falls at a stretch of " + text(found->time) +
+                   " m, which the start and a fall through two lengths may reach; stiffness must "
+                   "give a force that rises");
+        return;
+      }
+      if (spring_energy(law, stretch) > energy + 2.0 * weight * (length + stretch)) {
+        return;
+      }
     }
   }
 
@@ -313,7 +405,7 @@ class SystemChecker {
     const auto held = [&](const CableOfSystem& cable) {  // between one body and a point at rest
       const End& world = cable.from.body ? cable.to : cable.from;
       return cable.through.empty() && !world.body && is_constant(world.motion) &&
-             is_constant(cable.length) && cable.acts_at(0.0);
+             is_constant(cable.length) && cable.acts_at(0.0) && !cable.elasticity;
     };
     for (std::size_t i = 0; i < system_.cables.size(); ++i) {
       for (std::size_t j = i + 1; j < system_.cables.size(); ++j) {
@@ -360,6 +452,9 @@ class SystemChecker {
       }
       distance += apart;
       largest = std::max(largest, end_operand(cable.end(i + 1), system_));
+    }
+    if (cable.elasticity) {
+      distance = std::min(distance, length);  // it may start stretched
     }
     wrong_.start_of_cable(index, length, distance, epsilon<double>() * largest,
                           cable.through.empty() ? " m apart" : " m apart through its rings");

@@ -41,7 +41,8 @@ Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> gap_curvature(
 }
 
 /// True where the potential energy falls along a motion that keeps the held cables taut: where the
-/// stiffness -sum of T_i d2 g_i has a negative eigenvalue on those motions.
+/// stiffness -sum of T_i d2 g_i, with f' dg dg^T of each engaged cable, has a negative eigenvalue
+/// on those motions.
 template <class Real, int D>
 bool is_unstable(const BasicSystem<Real, D>& system, const BasicSystemState<Real, D>& state,
                  const BasicHold<BasicSystem<Real, D>>& held) {
@@ -51,6 +52,13 @@ bool is_unstable(const BasicSystem<Real, D>& system, const BasicSystemState<Real
   Matrix bending = Matrix::Zero(weight.size(), weight.size());
   for (const std::size_t index : held.pulling) {
     bending -= held.motion.tension(index)[0] * gap_curvature(system.cables[index], state);
+  }
+  for (const std::size_t index : state.elastic.engaged) {
+    const auto& cable = system.cables[index];
+    const RowOf<TheCase> row = gap_gradient(cable, state);
+    bending +=
+        spring_stiffness(*cable.elasticity, Real(-gap(cable, state))) * row * row.transpose();
+    bending -= held.motion.tension(index)[0] * gap_curvature(cable, state);
   }
   const CableRows<TheCase> rows(system, state, held.pulling);
   const RowSpace<TheCase> space = rows.space(rows.all());
@@ -105,7 +113,8 @@ std::optional<Ending> equilibrium(const BasicSystem<Real, D>& system,
   }
   const Real acceleration = half_acceleration(system, held.motion);
   const Real rounding =
-      epsilon<Real>() * acceleration_scale(system, standing_still(state)) * (1 + lightness);
+      epsilon<Real>() * acceleration_scale(system, standing_still(state)) * (1 + lightness) +
+      rounding_of_pulls(system, standing_still(state));
   if (acceleration > rounding_margin * rounding) {
     return std::nullopt;
   }

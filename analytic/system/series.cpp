@@ -19,6 +19,7 @@ SystemSeries<Real, D>::SystemSeries(const TheCase& system, const BasicSystemStat
       order_(order),
       bodies_(system.bodies.size()),
       cables_(system.cables.size()),
+      pulled_(!taut.empty() || !start.elastic.engaged.empty()),
       weight_(root_of_inverse_mass(system.bodies)),
       length_scale_(shortest_length(system, start)) {
   if (!isfinite(length_scale_)) {
@@ -28,6 +29,7 @@ SystemSeries<Real, D>::SystemSeries(const TheCase& system, const BasicSystemStat
   expand_given(start.time);
   start_at(start);
   couple(start);
+  find_stretched(start);
   const std::size_t alike = is_ballistic() ? 1 : order_ - 1;
   for (std::size_t k = 0; k < alike; ++k) {
     advance(k);
@@ -38,7 +40,7 @@ SystemSeries<Real, D>::SystemSeries(const TheCase& system, const BasicSystemStat
     }
   }
   for (std::size_t index = 0; index < cables_.size(); ++index) {
-    if (taut_.contains(index)) {
+    if ((taut_ | start.elastic.stretched()).contains(index)) {
       continue;
     }
     if (cables_[index].acts) {
@@ -47,12 +49,15 @@ SystemSeries<Real, D>::SystemSeries(const TheCase& system, const BasicSystemStat
       cables_[index].gap[0] = length_scale_;  // never taut
     }
   }
+  for (StretchSeries& one : stretched_) {
+    expand_stretched(one);
+  }
 }
 
 /// True where nothing but a constant gravity acts: the centres fly on parabolas.
 template <class Real, int D>
 bool SystemSeries<Real, D>::is_ballistic() const {
-  bool result = taut_.empty() && system_->gravity.is_constant();
+  bool result = !pulled_ && system_->gravity.is_constant();
   for (const BasicBodyOfSystem<Real, D>& body : system_->bodies) {
     result = result && body.drag == 0 && body.spin_drag == 0 && body.force.is_constant() &&
              body.moment.empty();
@@ -229,6 +234,12 @@ void SystemSeries<Real, D>::advance(std::size_t k) {
   for (const std::size_t index : taut_) {
     pull(index, k);
   }
+  for (StretchSeries& one : stretched_) {
+    if (one.pulls) {
+      strain(one, k);
+      pull(one, k);
+    }
+  }
   const RowOf<TheCase> known = driving(k);
   RowOf<TheCase> kept = RowOf<TheCase>::Zero(weight_.size());
   std::size_t i = 0;
@@ -278,10 +289,17 @@ void SystemSeries<Real, D>::pull(std::size_t index, std::size_t k) {
       const Vector shrinking = series::products(segment.distance, segment.pull, k, 1, k + 1);
       segment.pull[k] = -shrinking / segment.distance[0].x();
     }
-    const Vector force = series::products(segment.pull, segment.along, k, 0, k + 1);
-    add_pull(system_->cables[index].end(i), k, -force);
-    add_pull(system_->cables[index].end(i + 1), k, force);
+    pull_segment(index, i, k);
   }
+}
+
+/// Adds coefficient k of the pulls of a segment.
+template <class Real, int D>
+void SystemSeries<Real, D>::pull_segment(std::size_t index, std::size_t i, std::size_t k) {
+  const SegmentSeries& segment = cables_[index].segments[i];
+  const Vector force = series::products(segment.pull, segment.along, k, 0, k + 1);
+  add_pull(system_->cables[index].end(i), k, -force);
+  add_pull(system_->cables[index].end(i + 1), k, force);
 }
 
 /// Coefficient k of the gap of a taut cable where coefficient k of all poses is zero, but for what
@@ -319,8 +337,8 @@ RowOf<BasicSystem<Real, D>> SystemSeries<Real, D>::driving(std::size_t k) const 
     }
     result.template segment<D>(row) = force * weight_[row];
     auto turning = result.template segment<spins<D>>(row + D);
-    turning = body.turning.torque(k, !taut_.empty())
-                  .cwiseProduct(weight_.template segment<spins<D>>(row + D));
+    turning =
+        body.turning.torque(k, pulled_).cwiseProduct(weight_.template segment<spins<D>>(row + D));
     row += freedoms_of_body<D>;
   }
   return result;
@@ -477,6 +495,12 @@ Real SystemSeries<Real, D>::reach(const Real& error) const {
       const Real weight = gravity_.empty() ? Real(0) : Real(gravity_[0].norm());
       const Real force = body.force.empty() ? Real(0) : Real(body.force[0].norm());
       pull_scale = max(pull_scale, Real(body.body->mass * weight + force));
+    }
+    const Real load = pull_scale;
+    for (const StretchSeries& one : stretched_) {
+      const Real scale = tension_scale(one, load);
+      limit(abs(cables_[one.index].tension[k - 2]), scale, k - 2);
+      pull_scale = max(pull_scale, scale);
     }
     for (const std::size_t index : taut_) {
       pull = max(pull, Real(abs(cables_[index].tension[k - 2])));

@@ -2,17 +2,19 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "system/rows.hpp"
 #include "system/turning_series.hpp"
+#include "tautline/solution.hpp"
 
 namespace tautline {
 
 /// The motion of a system from `start` with the cables of `taut` held at zero gap, as Taylor series
 /// in the time since then (B1-B4). The rows of `taut` are independent, their gaps and gap rates
-/// zero. With an empty set it is free flight.
+/// zero. With an empty set it is free flight. Elastic cables stay in their zones (E3).
 template <class Real, int D>
 class SystemSeries {
  public:
@@ -44,10 +46,12 @@ class SystemSeries {
   }
 
   /// Coefficients 0 to order of (length^2 - distance^2) / (2 length at the start) [m] of a slack
-  /// cable, or, where it runs through rings, of its gap: both fall through zero together.
+  /// cable, or, where it runs through rings, of its gap: both fall through zero together. Of a
+  /// stretched cable, of its gap.
   [[nodiscard]] std::span<const Real> gap(std::size_t index) const { return cables_[index].gap; }
 
-  /// Coefficients 0 to order - 2 of the tension [N] of a taut cable.
+  /// Coefficients 0 to order - 2 of the tension [N] of a taut cable, or of what (E1) gives a
+  /// stretched one.
   [[nodiscard]] std::span<const Real> tension(std::size_t index) const {
     return cables_[index].tension;
   }
@@ -60,8 +64,11 @@ class SystemSeries {
   [[nodiscard]] Real reach(const Real& error) const;
 
   /// The work [J] up to `dt` [s] of all that acts but for impacts: gravity, forces, moments, drag,
-  /// and the moving ends and lengths of taut cables (T9).
+  /// and the moving ends and lengths of taut and engaged cables (T9).
   [[nodiscard]] Real work(const Real& dt) const;
+
+  /// The energy [J] up to `dt` [s] that an engaged elastic cable loses in its damper.
+  [[nodiscard]] Real dissipated(std::size_t index, const Real& dt) const;
 
  private:
   using Channel = std::span<Real>;  // of coefficients, in store_
@@ -83,11 +90,19 @@ class SystemSeries {
     std::vector<SegmentSeries> segments;
     std::vector<Given> ends;  // where they move in the world
     Channel length;
-    Channel gap;      // of a slack cable
-    Channel tension;  // of a taut one
+    Channel gap;      // of a slack cable, or a stretched one
+    Channel tension;  // of a taut one, or a stretched one
     bool acts;        // it is hooked up and not cut
     bool steady;      // its length is constant
     bool straight;    // no rings
+  };
+  struct StretchSeries {  // of a stretched elastic cable
+    std::size_t index;
+    bool pulls;
+    const BasicElasticity<Real>* law;
+    Real damping;                           // [N s/m]
+    Real response;                          // [1/kg], to an impulse of its own
+    std::vector<std::vector<Real>> powers;  // of the stretch: its square, its cube, ... (E3)
   };
   struct Kept {  // what the cables do to keep their lengths, at the order that is computed
     RowOf<TheCase> sum;
@@ -102,6 +117,12 @@ class SystemSeries {
   void advance(std::size_t k);
   void begin(std::size_t k);
   void pull(std::size_t index, std::size_t k);
+  void pull_segment(std::size_t index, std::size_t i, std::size_t k);
+  void find_stretched(const BasicSystemState<Real, D>& start);
+  void stretch(std::size_t index, std::size_t k);
+  void strain(StretchSeries& one, std::size_t k);
+  void pull(const StretchSeries& one, std::size_t k);
+  void expand_stretched(StretchSeries& one);
   [[nodiscard]] Real opening(std::size_t index, std::size_t k);
   [[nodiscard]] RowOf<TheCase> driving(std::size_t k) const;
   void accelerate(std::size_t k, const RowOf<TheCase>& accelerations);
@@ -116,6 +137,7 @@ class SystemSeries {
   void add_power(const BodySeries& body, std::vector<Real>& result) const;
   void add_power(const CableSeries& cable, std::vector<Real>& result) const;
   [[nodiscard]] Real last_term(std::size_t k) const;
+  [[nodiscard]] Real tension_scale(const StretchSeries& one, const Real& load) const;
   [[nodiscard]] Real apart_for(const SegmentSeries& segment, const Real& most) const;
 
   const TheCase* system_;
@@ -124,11 +146,36 @@ class SystemSeries {
   std::unique_ptr<Real[]> store_;
   std::vector<BodySeries> bodies_;
   std::vector<CableSeries> cables_;
+  std::vector<StretchSeries> stretched_;
+  bool pulled_;  // by cables
   Given gravity_;
   RowOf<TheCase> weight_;      // M^-1/2
   RowSpace<TheCase> coupled_;  // of the rows of the taut cables
   Real length_scale_;          // [m]
 };
+
+/// The motion along an arc of a solution; none where nothing moves, or for an instant.
+template <class Real, int D>
+[[nodiscard]] std::optional<SystemSeries<Real, D>> motion_along(
+    const BasicSystem<Real, D>& system, const BasicArc<BasicSystem<Real, D>>& arc) {
+  constexpr Eigen::Index least_rows = 3;  // a series shorter than that is a rest
+  if (arc.series.rows() < least_rows || !(arc.end > arc.start)) {
+    return std::nullopt;
+  }
+  CableSet pulling;
+  if (!arc.taut.empty()) {  // what redundant cables share has the same work
+    const CableRows<BasicSystem<Real, D>> rows(system, arc.initial, arc.taut);
+    const CableSet basis = rows.most_independent();
+    std::size_t row = 0;
+    for (const std::size_t index : arc.taut) {
+      if (basis.contains(row++)) {
+        pulling.insert(index);
+      }
+    }
+  }
+  const auto order = static_cast<std::size_t>(arc.series.rows() - 1);
+  return SystemSeries<Real, D>(system, arc.initial, pulling, order);
+}
 
 /// The response of cable `index`, the only one that pulls, to an impulse of its own [1/kg], the
 /// rate of that [1/(kg s)], and a length that both are not multiplied by: 1 (see bouncing.hpp).

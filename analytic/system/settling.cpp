@@ -5,6 +5,7 @@
 #include "system/kernel.hpp"
 #include "tautline/detail/projection.hpp"
 #include "tautline/detail/tension_extremes.hpp"
+#include "tautline/elastic_contacts.hpp"
 #include "tautline/solve.hpp"
 #include "tautline/system_settling.hpp"
 
@@ -40,6 +41,26 @@ BasicCableUse<Real> use_of(const BasicSolution<BasicSystem<Real, D>>& solution, 
     const Real& impulse = event.impulses[row];
     if (impulse > 0 && (!result.impulse || impulse > result.impulse->value * (1 + same_tension))) {
       result.impulse = {impulse, event.time};
+    }
+  }
+  return result;
+}
+
+/// The share of elastic cable `index` in a run of this `duration` [s], with these contacts.
+template <class Real>
+BasicCableUse<Real> elastic_use(const std::vector<BasicElasticContact<Real>>& contacts,
+                                std::size_t index, const Real& duration) {
+  BasicCableUse<Real> result;
+  const auto add = [](auto& most, const Real& value, const Real& time) {
+    if (!most || value > most->value * (1 + same_tension)) {
+      most = {value, time};
+    }
+  };
+  for (const auto& contact : contacts) {
+    if (contact.cable == index) {
+      result.taut_share += (contact.exit.value_or(duration) - contact.entry) / duration;
+      add(result.tension, contact.peak, contact.peak_time);
+      add(result.impulse, contact.impulse, contact.entry);
     }
   }
   return result;
@@ -150,7 +171,7 @@ std::optional<BasicSystemLock<Real>> lock_of(const BasicSystem<Real, D>& system,
   BasicSystemLock<Real> lock{Real(0), Real(0), taut, solution.ending() == Ending::rest, {}, {}};
   // the last event at which this set began to be all that is taut
   for (auto event = solution.events().rbegin(); event != solution.events().rend(); ++event) {
-    if (event->kind != EventKind::impact) {
+    if (event->kind == EventKind::taut || event->kind == EventKind::slack) {
       lock.time = event->time;
       break;
     }
@@ -315,8 +336,11 @@ BasicSystemSettling<Real> settling(const BasicSystem<Real, D>& system,
                                    const BasicSolution<BasicSystem<Real, D>>& solution) {
   BasicSystemSettling<Real> result;
   result.last_impacts = last_impacts(system, solution);
+  const auto contacts = elastic_contacts(solution);
   for (std::size_t i = 0; i < system.cables.size(); ++i) {
-    result.cables.push_back(use_of(solution, i));
+    result.cables.push_back(system.cables[i].elasticity
+                                ? elastic_use(contacts, i, solution.end_time())
+                                : use_of(solution, i));
   }
   result.lock = lock_of(system, solution);
   result.forced = forced(system, solution);

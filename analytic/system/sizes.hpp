@@ -1,6 +1,7 @@
 #pragma once
 
 #include "slow_bounces.hpp"
+#include "system/elastic.hpp"
 #include "tautline/detail/rounding.hpp"
 #include "tautline/system_geometry.hpp"
 
@@ -179,6 +180,34 @@ template <class Real, int D, class State>
   return result;
 }
 
+/// The largest response of a cable that acts to an impulse of its own [1/kg].
+template <class Real, int D>
+[[nodiscard]] Real largest_response(const BasicSystem<Real, D>& system,
+                                    const BasicSystemState<Real, D>& state) {
+  Real result(0);
+  for (std::size_t index = 0; index < system.cables.size(); ++index) {
+    result = max(result, delassus(system, state, index));
+  }
+  return result;
+}
+
+/// One rounding of the accelerations of gaps that the pulls of engaged elastic cables give [m/s^2].
+template <class Real, int D>
+[[nodiscard]] Real rounding_of_pulls(const BasicSystem<Real, D>& system,
+                                     const BasicSystemState<Real, D>& state) {
+  Real result(0);
+  for (const std::size_t index : state.elastic.engaged) {
+    const auto& cable = system.cables[index];
+    const Real stretch = -gap(cable, state);
+    const Real force =
+        abs(spring_stiffness(*cable.elasticity, stretch)) * rounding_of_gap(cable, state) +
+        state.elastic.damping[index] * rounding_of_rate(cable, state) +
+        abs(elastic_tension(system, index, state)) * rounding_of_direction(cable, state);
+    result += force * sqrt(Real(delassus(system, state, index) * largest_response(system, state)));
+  }
+  return result;
+}
+
 /// One rounding of a taut cable's acceleration in free flight [m/s^2].
 template <class Real, int D>
 [[nodiscard]] Real rounding_of_acceleration(const BasicSystem<Real, D>& system,
@@ -193,7 +222,7 @@ template <class Real, int D>
                        Real(end.at.norm()));
     }
   }
-  return rounding_of_direction(cable, state) * result;
+  return rounding_of_direction(cable, state) * result + rounding_of_pulls(system, state);
 }
 
 /// One rounding of the energy [J].
@@ -212,15 +241,21 @@ template <class Real, int D>
         (body.mass * gravity + size_of(body.force, state.time)) * height +
         size_of(body.moment, state.time) * angle_of_potential(state.bodies[i]).cwiseAbs().sum();
   }
+  for (const std::size_t index : state.elastic.stretched()) {
+    const auto& cable = system.cables[index];
+    result +=
+        abs(spring_force(*cable.elasticity, Real(-gap(cable, state)))) * gap_operand(cable, state);
+  }
   return epsilon<Real>() * result;
 }
 
-/// True where a gap counts as zero where the cable begins to act: within `gap_rounding` of the
-/// input, or of what its coordinates can tell.
+/// True where the gap of an inextensible cable counts as zero where it begins to act: within
+/// `gap_rounding` of the input, or of what its coordinates can tell.
 template <class Real, int D>
 [[nodiscard]] bool starts_at_zero(const BasicCableOfSystem<Real, D>& cable,
                                   const BasicSystemState<Real, D>& state) {
-  return gap(cable, state) <= max(Real(gap_rounding * cable.length.at(state.time)[0]),
+  return !cable.elasticity &&
+         gap(cable, state) <= max(Real(gap_rounding * cable.length.at(state.time)[0]),
                                   Real(few_roundings * rounding_of_gap(cable, state)));
 }
 
@@ -248,7 +283,34 @@ template <class Real, int D>
   return result;
 }
 
-/// Sizes of all ends, lengths, forces and moments (T7).
+/// The accelerations [m/s^2] that the pulls of elastic cables may give gaps, and the rate [1/s] at
+/// which they change.
+template <class Real, int D>
+[[nodiscard]] GivenSizes<Real> sizes_of_pulls(const BasicSystem<Real, D>& system,
+                                              const BasicSystemState<Real, D>& state) {
+  GivenSizes<Real> result;
+  for (std::size_t index = 0; index < system.cables.size(); ++index) {
+    const auto& cable = system.cables[index];
+    if (!cable.elasticity || !cable.acts_at(state.time)) {
+      continue;
+    }
+    const Real response = delassus(system, state, index);
+    const Real stretch = max(Real(0), Real(-gap(cable, state)));
+    const Real damping = damping_of(system, index, state);
+    result.frequency =
+        max(result.frequency,
+            Real(sqrt(Real(abs(spring_stiffness(*cable.elasticity, stretch)) * response)) +
+                 damping * response));
+    if (is_stretched(state, index)) {
+      result.acceleration +=
+          tension_size(*cable.elasticity, damping, response, stretch, gap_rate(cable, state)) *
+          sqrt(Real(response * largest_response(system, state)));
+    }
+  }
+  return result;
+}
+
+/// Sizes of all ends, lengths, forces, moments and pulls of elastic cables (T7).
 template <class Real, int D>
 [[nodiscard]] GivenSizes<Real> given_sizes(const BasicSystem<Real, D>& system,
                                            const BasicSystemState<Real, D>& state) {
@@ -266,7 +328,7 @@ template <class Real, int D>
   }
   result.acceleration += most;
   result.frequency = max(result.frequency, sizes_of(system.gravity, state.time).frequency);
-  return result;
+  return result += sizes_of_pulls(system, state);
 }
 
 /// Sizes of a motion at an instant.
@@ -336,10 +398,36 @@ template <class Real, int D>
   return {sizes.acceleration, sizes.rate, margin};
 }
 
+/// True where an elastic cable that is slack may begin to pull within `remaining` [s], and change
+/// accelerations by more than `scale` has them change meanwhile.
+template <class Real, int D>
+[[nodiscard]] bool may_engage(const BasicSystem<Real, D>& system,
+                              const BasicSystemState<Real, D>& state, const Real& remaining,
+                              const Scales<Real>& scale) {
+  const Real drift = scale.acceleration * remaining;
+  for (std::size_t index = 0; index < system.cables.size(); ++index) {
+    const auto& cable = system.cables[index];
+    if (!cable.elasticity || is_stretched(state, index)) {
+      continue;
+    }
+    const Real closing = max(Real(0), Real(-gap_rate(cable, state))) + scale.margin * drift;
+    const Real response =
+        sqrt(Real(delassus(system, state, index) * largest_response(system, state)));
+    const Real force = damping_of(system, index, state) * closing +
+                       cable.elasticity->stiffness[0] * closing * remaining;
+    if (gap(cable, state) <= closing * remaining && force * response > scale.rate * drift) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Cables of a system known to be at exactly zero gap.
 template <class Real, int D>
 struct SystemTouching {
   CableSet cables;               // that touch at this instant
+  CableSet at_zero;              // elastic cables whose gap or tension, if loose, is exactly zero
+  ElasticSwitches switches;      // of elastic cables, at the next stop
   Real rate_rounding = Real(0);  // [m/s], a closing rate up to this is rounding of zero,
   Real spin_rounding = Real(0);  // [rad/s], and one up to this times the arm more
   Real time_rounding = Real(0);  // [s], what is nearer than this is now

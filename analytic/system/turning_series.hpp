@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,16 @@ template <class Real, class Coefficient>
 Coefficients<Real> rate_of(std::size_t count, const Coefficient& coefficient) {
   return polynomial<Real>(count - 1,
                           [&](std::size_t k) { return Real(number(k + 1) * coefficient(k + 1)); });
+}
+
+/// The integral of that polynomial from 0 to `end`.
+template <class Real>
+[[nodiscard]] Real integral(std::span<const Real> coefficients, const Real& end) {
+  Real result(0);
+  for (std::size_t k = coefficients.size(); k-- > 0;) {
+    result = result * end + coefficients[k] / number(k + 1);
+  }
+  return result * end;
 }
 
 }  // namespace series

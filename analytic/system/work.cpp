@@ -74,13 +74,32 @@ Real SystemSeries<Real, D>::work(const Real& dt) const {
   for (const std::size_t index : taut_) {
     add_power(cables_[index], power);
   }
-  Real result(0);
-  for (std::size_t k = power.size(); k-- > 0;) {
-    result = result * dt + power[k] / number(k + 1);
+  for (const StretchSeries& one : stretched_) {
+    if (one.pulls) {
+      add_power(cables_[one.index], power);
+    }
   }
-  return result * dt;
+  return series::integral<Real>(power, dt);
+}
+
+template <class Real, int D>
+Real SystemSeries<Real, D>::dissipated(std::size_t index, const Real& dt) const {
+  std::vector<Real> power;
+  for (const StretchSeries& one : stretched_) {
+    if (one.index == index && one.pulls) {
+      const auto rate =
+          rate_of<Real>(order_ + 1, [&](std::size_t k) { return cables_[index].gap[k]; });
+      add_product(
+          power,
+          polynomial<Real>(rate.size(), [&](std::size_t k) { return Real(one.damping * rate[k]); }),
+          rate);
+    }
+  }
+  return series::integral<Real>(power, dt);
 }
 
 template Instance SystemSeries<Instance, instance_dimension>::work(const Instance&) const;
+template Instance SystemSeries<Instance, instance_dimension>::dissipated(std::size_t,
+                                                                         const Instance&) const;
 
 }  // namespace tautline

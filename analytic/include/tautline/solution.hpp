@@ -15,6 +15,8 @@ enum class EventKind {
   impact,  // a velocity jump: cables closed and rebound
   taut,    // cables at zero gap stay there, held by tension
   slack,   // a taut cable's tension fell to zero
+  entry,   // an elastic cable begins to pull; nothing jumps
+  exit,    // it ceases to pull
 };
 
 /// An instant at which the motion changes. Times count from the start of the run.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/elasticity.hpp"
 #include "tautline/function.hpp"
 #include "tautline/system_turning.hpp"
 
@@ -49,8 +50,9 @@ struct BasicEnd {
 using End = BasicEnd<double, 2>;         // in double, in the plane
 using SpatialEnd = BasicEnd<double, 3>;  // in double, in space
 
-/// A massless inextensible line between two ends, straight or through rings. Its gap is its length
-/// minus the distances from end to end, summed.
+/// A massless line between two ends, straight or through rings; inextensible, or elastic. Its gap
+/// is its length minus the distances from end to end, summed; below 0 an elastic cable is
+/// stretched.
 template <class Real, int D>
 struct BasicCableOfSystem {
   BasicEnd<Real, D> from = {};                  // its first end
@@ -68,6 +70,9 @@ struct BasicCableOfSystem {
   std::optional<Real> from_time =
       std::nullopt;                           // [s], > 0: it is hooked up then, not overstretched
   std::optional<Real> cut_at = std::nullopt;  // [s], > `from_time`: it is cut then
+
+  /// How it pulls where it is longer than `length`, and has no impacts; none: it is inextensible.
+  std::optional<BasicElasticity<Real>> elasticity = std::nullopt;
 
   /// How many straight pieces it has.
   [[nodiscard]] std::size_t segments() const { return through.size() + 1; }
@@ -88,8 +93,9 @@ template <class Real, int D>
 struct BasicSystemState {
   using Body = typename Turning<Real, D>::BodyState;  // of one of them
 
-  Real time = Real(0);       // [s]
-  std::vector<Body> bodies;  // one for each of the system, in order
+  Real time = Real(0);                   // [s]
+  std::vector<Body> bodies;              // one for each of the system, in order
+  BasicElasticZones<Real> elastic = {};  // found by `solve` from the start on
 };
 using SystemState = BasicSystemState<double, 2>;         // in double, in the plane
 using SpatialSystemState = BasicSystemState<double, 3>;  // in double, in space
@@ -190,6 +196,14 @@ template <class To, class Real, int D>
   }
   result.from_time = time(cable.from_time);
   result.cut_at = time(cable.cut_at);
+  if (cable.elasticity) {
+    result.elasticity.emplace();
+    for (const Real& one : cable.elasticity->stiffness) {
+      result.elasticity->stiffness.push_back(number(one));
+    }
+    result.elasticity->damping = number(cable.elasticity->damping);
+    result.elasticity->damping_ratio = number(cable.elasticity->damping_ratio);
+  }
   return result;
 }
 

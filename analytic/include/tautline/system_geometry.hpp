@@ -176,8 +176,18 @@ template <class Real, int D>
                            [](const auto&... one) { return moment_rate_in_world(one...); });
 }
 
-/// The accelerations of all bodies in free flight: of their centres [m/s^2] and their spins
-/// [rad/s^2].
+/// The tension of elastic cable `index` [N] by (E1) and its damping in `state`; below 0 where it is
+/// loose.
+template <class Real, int D>
+[[nodiscard]] Real elastic_tension(const BasicSystem<Real, D>& system, std::size_t index,
+                                   const BasicSystemState<Real, D>& state) {
+  const BasicCableOfSystem<Real, D>& cable = system.cables[index];
+  return spring_force(*cable.elasticity, Real(-gap(cable, state))) -
+         state.elastic.damping[index] * gap_rate(cable, state);
+}
+
+/// The accelerations of all bodies where no inextensible cable is taut: of their centres [m/s^2]
+/// and their spins [rad/s^2]. Elastic cables pull that are engaged in `state`.
 template <class Real, int D>
 [[nodiscard]] RowOf<BasicSystem<Real, D>> free_accelerations(
     const BasicSystem<Real, D>& system, const BasicSystemState<Real, D>& state) {
@@ -195,6 +205,10 @@ template <class Real, int D>
                                         gyroscopic(body.inertia, now);
       result.template segment<spins<D>>(first + D) = moment.cwiseQuotient(moments(body.inertia));
     }
+  }
+  for (const std::size_t index : state.elastic.engaged) {
+    result += elastic_tension(system, index, state) *
+              gap_gradient(system.cables[index], state).cwiseProduct(inverse_mass(system.bodies));
   }
   return result;
 }
@@ -221,7 +235,7 @@ template <class Real, int D>
   return 2 * given[2];
 }
 
-/// d^2 gap / dt^2 in free flight [m/s^2] (T2).
+/// d^2 gap / dt^2 where no inextensible cable is taut [m/s^2] (T2).
 template <class Real, int D>
 [[nodiscard]] Real free_gap_acceleration(const BasicSystem<Real, D>& system, std::size_t index,
                                          const BasicSystemState<Real, D>& state) {
@@ -388,13 +402,26 @@ template <class Real, int D>
   return result / 2;
 }
 
-/// Kinetic energy, and the potential energy of what gravity and the given forces and moments are at
-/// the time of `state` [J]; zero potential at the origin of the world, and at angle 0. In space a
-/// moment has no potential.
+/// The energy that stretched elastic cables store at the poses of `state` [J].
+template <class Real, int D>
+[[nodiscard]] Real stored_energy(const BasicSystem<Real, D>& system,
+                                 const BasicSystemState<Real, D>& state) {
+  Real result(0);
+  for (const auto& cable : system.cables) {
+    if (cable.elasticity) {
+      result += spring_energy(*cable.elasticity, Real(-gap(cable, state)));
+    }
+  }
+  return result;
+}
+
+/// Kinetic energy, the energy that elastic cables store, and the potential energy of what gravity
+/// and the given forces and moments are at the time of `state` [J]; zero potential at the origin of
+/// the world, and at angle 0. In space a moment has no potential.
 template <class Real, int D>
 [[nodiscard]] Real energy(const BasicSystem<Real, D>& system,
                           const BasicSystemState<Real, D>& state) {
-  Real result = kinetic_energy(system.bodies, state);
+  Real result = kinetic_energy(system.bodies, state) + stored_energy(system, state);
   const BasicVector<Real, D> gravity = system.gravity.at(state.time);
   for (std::size_t i = 0; i < system.bodies.size(); ++i) {
     const auto& body = system.bodies[i];

@@ -20,9 +20,10 @@ using Peak = BasicPeak<double>;
 /// The share of one cable in a run.
 template <class Real>
 struct BasicCableUse {
-  Real taut_share = Real(0);                              // [-], of the run
+  Real taut_share = Real(0);                              // [-], of the run; or engaged
   std::optional<BasicPeak<Real>> tension = std::nullopt;  // [N], the largest; none: always slack
-  std::optional<BasicPeak<Real>> impulse = std::nullopt;  // [N s], the largest: its snap
+  /// [N s], the largest: its snap, or, of an elastic cable, a whole contact.
+  std::optional<BasicPeak<Real>> impulse = std::nullopt;
 };
 using CableUse = BasicCableUse<double>;
 

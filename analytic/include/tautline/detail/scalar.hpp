@@ -34,6 +34,10 @@ using std::sqrt;
 /// The angle [rad] of the vector (x, y), -pi to pi, to four roundings; as std::atan2 where both are
 /// zero. Requires finite numbers.
 [[nodiscard]] double atan2(double y, double x);
+/// e to the power of `value`, to two roundings.
+[[nodiscard]] double exp(double value);
+/// The logarithm of `value` > 0 to the base e, to two roundings of 1 or of itself.
+[[nodiscard]] double log(double value);
 /// The root of `value`, >= 0, of a `degree` [-] > 0, to 1e-9 of it; infinity of infinity.
 [[nodiscard]] double root(double value, double degree);
 

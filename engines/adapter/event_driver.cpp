@@ -26,8 +26,9 @@ namespace {
 /// are no impact [-]. From 1 m/s down to the capture speed with restitution 0.99 takes 1400.
 constexpr std::size_t most_strikes = 10'000;
 
-/// After this many moves in a row without an impact [-], moves double in length with every few
-/// more: rounding may foretell one event after the other at the same instant.
+/// After this many moves in a row without an impact that rounding does not hide [-], moves double
+/// in length with every few more: rounding may foretell one event after the other at the same
+/// instant.
 constexpr std::size_t patient_moves = 100;
 constexpr double moves_to_double = 10.0;
 
@@ -109,9 +110,7 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
       if (gone >= before_knot) {
         pass_knot(knot);
       }
-      const std::size_t strikes = events_.size();
-      strike(clock_.now() + (dt - rest));
-      idle_ = events_.size() > strikes ? 0 : idle_ + 1;
+      idle_ = strike(clock_.now() + (dt - rest)) ? 0 : idle_ + 1;
     }
     clock_.advance(dt);
   }
@@ -275,12 +274,13 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
   [[nodiscard]] std::pair<double, CableSet> go_to_contact(double dt, CableSet contact, double rest,
                                                           const Go& go) {
     const State start = adapter_->state();
+    const double shortest = idle_ > patient_moves ? shortest_move(start, rest) : 0.0;
     bool gone = go(dt);
     for (int pass = 0; gone && pass < most_corrections; ++pass) {
       const auto [correction, cables] = late_by(contact);
       const bool near = std::abs(correction) <= contact_rounding * rest;
       contact = cables;
-      const bool from_the_start = correction >= dt;
+      const bool from_the_start = !(dt - correction > shortest);
       if (cables.empty() || near || from_the_start || dt - correction > rest) {
         contact = near || from_the_start ? cables : CableSet{};
         break;
@@ -354,21 +354,24 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
   }
 
   /// Strikes the touching cables that close or rest, if one of them closes by more than rounding.
-  void strike(double time) {
+  /// True if such a bounce is seen.
+  bool strike(double time) {
     const State before = adapter_->state();
     note_speed(before);
     const double rounding = touching(before).rate_rounding;
     CableSet cables;
     double fastest = 0.0;  // closing
+    bool seen = false;
     for (const std::size_t index : touching_) {
       const double rate = gap_rate(case_.cables[index], before);
       if (rate <= rounding) {
         cables.insert(index);
         fastest = std::max(fastest, taut_.contains(index) ? 0.0 : -rate);
+        seen = seen || !is_unseen(case_.cables[index], before, std::max(0.0, -rate));
       }
     }
     if (fastest <= rounding) {
-      return;
+      return false;
     }
     CableVector impulses =
         law_ == ImpactLaw::sequential ? strike_in_turn(cables, rounding) : strike_at_once(cables);
@@ -379,6 +382,7 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
     taut_ = {};  // what the impact leaves at rest is looked for again
     events_.push_back(
         {time, EventKind::impact, cables, std::move(impulses), before, adapter_->state()});
+    return seen;
   }
 
   CableVector strike_at_once(CableSet cables) {
@@ -388,18 +392,17 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
     for (const std::size_t index : cables) {
       const double rate = gap_rate(case_.cables[index], now);
       const double rebound = restitution(case_.cables[index], rate) * std::max(0.0, -rate);
-      rates[row++] = is_unseen(case_.cables[index], now, rebound) ? 0.0 : rebound;
+      const bool goes_on = events_.size() > patient_impacts;
+      rates[row++] = goes_on && is_unseen(case_.cables[index], now, rebound) ? 0.0 : rebound;
     }
     return adapter_->solve(cables, rates);
   }
 
-  /// True if a `rebound` [m/s] opens the gap by no more than rounding, in a step that has seen
-  /// many.
+  /// True if a rebound at `speed` [m/s] opens the gap by no more than rounding.
   template <class Cable>
-  [[nodiscard]] bool is_unseen(const Cable& cable, const State& now, double rebound) const {
-    return events_.size() > patient_impacts &&
-           rebound * rebound <=
-               2.0 * acceleration_scale(case_, now) * rounding_.gap * gap_scale(cable, now);
+  [[nodiscard]] bool is_unseen(const Cable& cable, const State& now, double speed) const {
+    return speed * speed <=
+           2.0 * acceleration_scale(case_, now) * rounding_.gap * gap_scale(cable, now);
   }
 
   /// The cable that closes fastest by itself, until none closes by more than `rounding` [m/s].
@@ -428,7 +431,7 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
   CableSet taut_;               // of those, the ones that stay so
   std::optional<BasicHold<TheCase>>
       held_;              // the exact motion from here while cables pull, or as they let go
-  std::size_t idle_ = 0;  // moves since the latest strike of the step
+  std::size_t idle_ = 0;  // moves of the step since a bounce was seen
   std::vector<double> impulses_;
   std::vector<double> tension_impulses_;
   std::vector<Event> events_;

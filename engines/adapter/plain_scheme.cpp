@@ -16,9 +16,17 @@ namespace {
 void accelerate(const Case& the_case, const State& /*state*/, double dt, Eigen::Vector3d& rates) {
   rates.head<2>() += dt * the_case.gravity;
 }
+/// Without the gyroscopic term: `after` keeps the angular momentum.
 void accelerate(const SpatialSystem& system, const SpatialSystemState& state, double dt,
                 RowOf<SpatialSystem>& rates) {
   rates += dt * free_accelerations(system, state);
+  for (std::size_t index = 0; index < system.bodies.size(); ++index) {
+    const Eigen::Vector3d& inertia = system.bodies[index].inertia;
+    if (has_inertia(inertia)) {
+      rates.segment<3>(static_cast<Eigen::Index>(6 * index + 3)) -=
+          dt * gyroscopic(inertia, state.bodies[index]).cwiseQuotient(inertia);
+    }
+  }
 }
 
 /// The part of a gap's rate that is given: by a winch and ends that move [m/s].
@@ -29,15 +37,22 @@ double given_rate(const SpatialCable& cable, const SpatialSystemState& state, do
   return gap_rate(cable, state) - of_bodies;
 }
 
-/// `state` a step later, moved by `way` and with these rates.
-State after(State state, double /*dt*/, const Eigen::Vector3d& way, const Eigen::Vector3d& rates) {
-  state.velocity = rates.head<2>();
-  state.spin = rates[2];
+/// `state` a step later, moved by `way` and with the rates `there`.
+State after(const Case& /*the_case*/, State state, double /*dt*/, const Eigen::Vector3d& way,
+            const Eigen::Vector3d& there) {
+  state.velocity = there.head<2>();
+  state.spin = there[2];
   return moved(state, way);
 }
-SpatialSystemState after(const SpatialSystemState& state, double dt,
+/// In space a step turns a body by its spin at half the step, and keeps the angular momentum: a
+/// gyroscopic term at the start of a step would spin fast bodies up.
+SpatialSystemState after(const SpatialSystem& system, const SpatialSystemState& state, double dt,
                          const RowOf<SpatialSystem>& way, const RowOf<SpatialSystem>& there) {
-  SpatialSystemState result = moved(with_gain(state, there - motion_of(state)), way);
+  const RowOf<SpatialSystem> gain = there - motion_of(state);
+  const auto moved_by = [&](const RowOf<SpatialSystem>& part) {
+    return with_momentum(system.bodies, moved(state, part), state, gain);
+  };
+  SpatialSystemState result = moved_by(way + dt * (motion_of(moved_by(0.5 * way)) - there));
   result.time += dt;
   return result;
 }
@@ -117,7 +132,7 @@ void BasicPlainScheme<TheCase>::step(double dt) {
     const Row<TheCase>& row = rows[place];
     way += corrected * row.overstretch / row.inverse_mass * row.gradient.cwiseProduct(weight);
   }
-  state_ = after(state_, dt, way, velocity);
+  state_ = after(case_, state_, dt, way, velocity);
 }
 
 template class BasicPlainScheme<Case>;

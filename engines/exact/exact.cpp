@@ -122,17 +122,18 @@ class ExactSimulation final : public BasicSimulation<TheCase>, public TensionImp
 
 /// The yardstick as a model: what a correct scheme that knows nothing of cables but their rows
 /// makes of a case.
-class PlainSimulation final : public SteppedSimulation {
+template <class TheCase>
+class PlainSimulation final : public BasicSteppedSimulation<TheCase> {
  public:
-  PlainSimulation(const Case& the_case, const RunSettings& /*run*/)
-      : scheme_(the_case, PlainScheme::Acts::late) {}
+  PlainSimulation(const TheCase& the_case, const RunSettings& /*run*/)
+      : scheme_(the_case, BasicPlainScheme<TheCase>::Acts::late) {}
 
-  [[nodiscard]] State state() const override { return scheme_.state(); }
+  [[nodiscard]] StateOf<TheCase> state() const override { return scheme_.state(); }
   void step(double dt) override { scheme_.step(dt); }
   [[nodiscard]] std::span<const double> impulses() const override { return scheme_.impulses(); }
 
  private:
-  PlainScheme scheme_;
+  BasicPlainScheme<TheCase> scheme_;
 };
 
 ModelEntry plain() {
@@ -141,7 +142,8 @@ ModelEntry plain() {
                                 "yardstick that every model with fixed steps is judged by.",
                     .settings = {},
                     .maker = Maker::tautline},
-          .start = makes<PlainSimulation>(),
+          .start = makes<PlainSimulation<Case>>(),
+          .start_system = makes<PlainSimulation<SpatialSystem>>(),
           .follows_speed = true};
 }
 

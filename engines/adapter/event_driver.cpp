@@ -119,7 +119,10 @@ class EventDriven final : public BasicSimulation<TheCase>, public TensionImpulse
   void stop(const std::string& why, double time) { stop_ = StopOfRun{time, said_at(why, time)}; }
 
   [[nodiscard]] TouchingOf<TheCase> touching(const State& state) const {
-    return {touching_, std::max(rate_rounding_, rounding_.rate * speed_scale(case_, state))};
+    TouchingOf<TheCase> result;
+    result.cables = touching_;
+    result.rate_rounding = std::max(rate_rounding_, rounding_.rate * speed_scale(case_, state));
+    return result;
   }
 
   /// Bodies of a system may be stopped within an instant: rounding of their rates is then of the

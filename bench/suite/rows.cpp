@@ -119,9 +119,9 @@ RunDetails details_of(const Metrics& metrics, const BasicTrajectory<TheCase>& ru
 
 /// Puts into `record` all that is measured on `run`. A system has no ladder.
 template <class TheReference, class TheCase>
-void measure(const BasicExpectation<TheReference>& expectation, const EngineInfo& engine,
-             const BasicTrajectory<TheCase>& run, const CompareOptions& options,
-             RunRecord& record) {
+void measure(const BasicExpectation<TheReference>& expectation, const Nearness& nearness,
+             const EngineInfo& engine, const BasicTrajectory<TheCase>& run,
+             const CompareOptions& options, RunRecord& record) {
   const TheReference& reference = expectation.reference();
   const double count_speed = options.count_speed;
   const Metrics metrics = compare(reference.the_case, reference.solution, reference.settling,
@@ -129,7 +129,7 @@ void measure(const BasicExpectation<TheReference>& expectation, const EngineInfo
   RunRow& row = record.row;
   row.metrics = values_of(metrics);
   row.details = details_of(metrics, run);
-  record.replay = {run_path(reference.the_case, nearness_of(reference), run),
+  record.replay = {run_path(reference.the_case, nearness, run),
                    run_impacts(reference.the_case, run, count_speed)};
   row.attribution = attribute(reference.the_case, reference.solution, reference.horizon, run,
                               {reference.law, noise_of(engine.precision), count_speed});
@@ -157,8 +157,13 @@ TimingRow timing_row(const RunKey& key, const Cost& cost) {
 
 }  // namespace
 
-RunRecord run_record(const AnyExpectation& expected, const EngineInfo& engine, const RunKey& key,
-                     const RunReply& reply, const CompareOptions& options) {
+Nearness nearness_of(const AnyExpectation& expected) {
+  return std::visit([](const auto& one) { return nearness_of(one.reference()); }, expected);
+}
+
+RunRecord run_record(const AnyExpectation& expected, const Nearness& nearness,
+                     const EngineInfo& engine, const RunKey& key, const RunReply& reply,
+                     const CompareOptions& options) {
   RunRecord record;
   record.row.key = key;
   std::visit(
@@ -167,7 +172,7 @@ RunRecord run_record(const AnyExpectation& expected, const EngineInfo& engine, c
         std::tie(record.row.status, record.row.reason) =
             status(expectation.reference(), reply, run);
         if (run) {
-          measure(expectation, engine, *run, options, record);
+          measure(expectation, nearness, engine, *run, options, record);
           record.timing = timing_row(key, reply.cost);
         }
       },

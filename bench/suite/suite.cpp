@@ -25,9 +25,10 @@ std::optional<RunRecord> earlier_run(const SuiteOptions& options, const PlannedR
   return earlier && earlier->row.status != Status::failed ? earlier : std::nullopt;
 }
 
-/// One run in a worker, compared and written. None if the program was interrupted.
+/// One run in a worker, compared, drawn and written. None if the program was interrupted.
 std::optional<RunRecord> do_run(const SuiteOptions& options, const AnyExpectation& expectation,
-                                const PlannedRun& run, Workplace& workplace) {
+                                const Nearness& nearness, const PlannedRun& run,
+                                Workplace& workplace) {
   const RegisteredEngine& engine = options.engines[run.engine];
   const RunKey key = key_of(options, run);
   const RunReply reply = run_in_worker({engine.plugin,
@@ -39,7 +40,7 @@ std::optional<RunRecord> do_run(const SuiteOptions& options, const AnyExpectatio
   if (reply.interrupted) {
     return std::nullopt;
   }
-  RunRecord record = run_record(expectation, *engine.info, key, reply, options.compare);
+  RunRecord record = run_record(expectation, nearness, *engine.info, key, reply, options.compare);
   if (!options.out.empty()) {
     write_run(run_folder(options.out, key), options, run, reply, record);
   }
@@ -53,6 +54,8 @@ SuiteResult run_suite(const SuiteOptions& options, const Expectations& expectati
   const std::vector<PlannedRun> runs = plan(options);
   const std::vector<std::size_t> due = places_in_shard(options);
   std::vector<std::optional<RunRecord>> results(due.size());
+  std::vector<Nearness> nearness(expectations.size());  // of the motions of each case
+  std::vector<std::once_flag> known(expectations.size());
   std::atomic<std::size_t> next{0};
   std::size_t kept = 0;
   std::exception_ptr failure;
@@ -61,12 +64,14 @@ SuiteResult run_suite(const SuiteOptions& options, const Expectations& expectati
     Workplace workplace;
     for (std::size_t index = next++; index < due.size() && !interruption(); index = next++) {
       const PlannedRun& run = runs[due[index]];
+      const std::size_t place = run.the_case;
       bool earlier = false;
       try {
         results[index] = earlier_run(options, run);
         earlier = results[index].has_value();
         if (!earlier) {
-          results[index] = do_run(options, expectations[run.the_case], run, workplace);
+          std::call_once(known[place], [&] { nearness[place] = nearness_of(expectations[place]); });
+          results[index] = do_run(options, expectations[place], nearness[place], run, workplace);
         }
       } catch (...) {
         const std::scoped_lock lock(guard);

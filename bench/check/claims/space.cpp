@@ -42,34 +42,47 @@ double largest_difference(const SpatialSystemState& a, SpatialSystemState b) {
   return largest;
 }
 
-/// `state` as an adapter may mistake it, and what that would be.
+/// A mistake of an adapter: how it tells a body, as what it takes one, and a sentence on that.
 struct Mistake {
-  SpatialSystemState (*of)(SpatialSystemState state);
+  SpatialState (*told)(SpatialState body);
+  SpatialState (*taken)(SpatialState body);
   const char* sentence;
 };
+SpatialState with_spin_in_the_world(SpatialState body) {
+  body.spin = in_the_world(body, body.spin);
+  return body;
+}
+SpatialState with_spin_in_the_body(SpatialState body) {
+  body.spin = in_the_body(body, body.spin);
+  return body;
+}
+SpatialState conjugated(SpatialState body) {
+  body.orientation = conjugate<double>(body.orientation);
+  return body;
+}
+SpatialState with_scalar_last(SpatialState body) {
+  const Quaternion q = body.orientation;
+  body.orientation = Quaternion(q[1], q[2], q[3], q[0]);
+  return body;
+}
+SpatialState with_last_as_scalar(SpatialState body) {
+  const Quaternion q = body.orientation;
+  body.orientation = Quaternion(q[3], q[0], q[1], q[2]);
+  return body;
+}
 constexpr std::array mistakes = {
-    Mistake{[](SpatialSystemState state) {
-              for (SpatialState& body : state.bodies) {
-                body.spin = in_the_world(body, body.spin);
-              }
-              return state;
-            },
+    Mistake{with_spin_in_the_world, with_spin_in_the_body,
             "spins are in the axes of the world, not of the body"},
-    Mistake{[](SpatialSystemState state) {
-              for (SpatialState& body : state.bodies) {
-                body.orientation = conjugate<double>(body.orientation);
-              }
-              return state;
-            },
+    Mistake{conjugated, conjugated,
             "orientations are from the axes of the world to those of the body"},
-    Mistake{[](SpatialSystemState state) {
-              for (SpatialState& body : state.bodies) {
-                const Quaternion q = body.orientation;
-                body.orientation = Quaternion(q[1], q[2], q[3], q[0]);
-              }
-              return state;
-            },
+    Mistake{with_scalar_last, with_last_as_scalar,
             "the scalar of a quaternion comes last, not first"}};
+
+/// `state` with each body as `mistaken`.
+SpatialSystemState with_bodies(SpatialSystemState state, SpatialState (*mistaken)(SpatialState)) {
+  std::transform(state.bodies.begin(), state.bodies.end(), state.bodies.begin(), mistaken);
+  return state;
+}
 
 /// Steps and end of the flights of a body that turns [s].
 constexpr double coarse_turn_step = 1e-2;
@@ -92,10 +105,12 @@ SpatialSystem turning_in_space() {
 /// An orientation over time [s].
 using Orientation = std::function<Quaternion(double time)>;
 
-/// How the body of `system` turns by Euler's equations.
-Orientation exact_turn(const SpatialSystem& system) {
-  return
-      [motion = solve(system)](double time) { return motion.at(time).bodies.front().orientation; };
+/// How the body of `system` turns by Euler's equations, where an adapter makes a mistake.
+Orientation exact_turn(SpatialSystem system, const Mistake& mistake) {
+  system.initial = with_bodies(system.initial, mistake.taken);
+  return [motion = solve(system), told = mistake.told](double time) {
+    return told(motion.at(time).bodies.front()).orientation;
+  };
 }
 
 /// How far a run of `system` is from each of `motions` at most [rad].
@@ -168,7 +183,7 @@ Measure measure_space_echo(const Subject& subject) {
   } else if (found > limit) {
     std::string why = "not the state the run was given";
     for (const Mistake& mistake : mistakes) {
-      if (largest_difference(state, mistake.of(system.initial)) < float_rounding) {
+      if (largest_difference(state, with_bodies(system.initial, mistake.told)) < float_rounding) {
         why = mistake.sentence;
       }
     }
@@ -180,12 +195,14 @@ Measure measure_space_echo(const Subject& subject) {
 Measure measure_gyroscopic_term(const Subject& subject) {
   const SpatialSystem system = turning_in_space();
   const SpatialState& start = system.initial.bodies.front();
-  SpatialSystem mistaken = system;
-  mistaken.initial.bodies.front().spin = in_the_body(start, start.spin);
+  const auto as_it_is = [](SpatialState body) { return body; };
   const Orientation left_out = [&](double time) {
     return turned(start, time * start.spin).orientation;
   };
-  const std::vector<Orientation> motions = {exact_turn(system), left_out, exact_turn(mistaken)};
+  std::vector<Orientation> motions = {exact_turn(system, {as_it_is, as_it_is, ""}), left_out};
+  for (const Mistake& mistake : mistakes) {
+    motions.push_back(exact_turn(system, mistake));
+  }
   const std::vector<double> coarse = turned_apart(subject, system, coarse_turn_step, motions);
   const std::vector<double> fine = turned_apart(subject, system, fine_turn_step, motions);
   const double turn = start.spin.norm() * fine_turn_step;  // [rad], in a step
@@ -195,18 +212,20 @@ Measure measure_gyroscopic_term(const Subject& subject) {
       fmt::format("off by {:.2g} rad within {:g} s at a step of {:g} s, by {:.2g} at {:g} s",
                   coarse[0], turn_end, coarse_turn_step, fine[0], fine_turn_step);
   std::string sentence = "a free body does not turn as Euler's equations say: " + numbers;
+  // among the wrong motions
+  const auto nearest = std::min_element(fine.begin() + 1, fine.end());
+  const auto place = static_cast<std::size_t>(nearest - fine.begin());
+  const bool explained = *nearest <= std::max(limit, mistaken_for * fine[0]);
   if (fine[0] <= limit) {
     sentence = "a free body turns as Euler's equations say: " + numbers;
-  } else if (fine[1] <= std::max(limit, mistaken_for * fine[0])) {
+  } else if (explained && place == 1) {
     sentence = fmt::format(
         "leaves the gyroscopic term out: a free body turns as if it kept its spin in the world, to "
         "{:.2g} rad, and is {}",
-        fine[1], numbers);
-  } else if (fine[2] <= std::max(limit, mistaken_for * fine[0])) {
-    sentence = fmt::format(
-        "the spin is taken in the axes of the world, not of the body: a free body turns so to "
-        "{:.2g} rad, and is {}",
-        fine[2], numbers);
+        *nearest, numbers);
+  } else if (explained) {
+    sentence = fmt::format("{}: a free body turns so to {:.2g} rad, and is {}",
+                           mistakes.at(place - 2).sentence, *nearest, numbers);
   }
   return {fine[0], limit, sentence};
 }

@@ -163,12 +163,36 @@ std::vector<Flaw> planted_flaws() {
        {}},
       {"space-world-spin",
        "gyroscopic-term",
-       "the spin is taken in the axes of the world, not of the body",
+       "spins are in the axes of the world, not of the body: a free body turns so",
        {"space-arm", "pair-momentum", "pair-restitution"}},
       {"space-world-spin-told",
        "space-echo",
        "spins are in the axes of the world, not of the body",
-       {"space-arm", "pair-momentum", "pair-restitution"}}};
+       {"space-arm", "pair-momentum", "pair-restitution"}},
+      // taken and told alike, which no echo shows: cables are attached elsewhere
+      {"space-conjugate",
+       "gyroscopic-term",
+       "orientations are from the axes of the world to those of the body: a free body turns so",
+       {"space-arm", "pair-momentum", "pair-restitution"}},
+      {"space-scalar-last",
+       "gyroscopic-term",
+       "the scalar of a quaternion comes last, not first: a free body turns so",
+       {"space-inertia", "space-arm", "pair-momentum", "pair-restitution"}},
+      // the motion is right, but the other claims read it from what is told
+      {"space-conjugate-told",
+       "space-echo",
+       "orientations are from the axes of the world to those of the body",
+       {"gyroscopic-term", "pair-momentum", "pair-restitution"}},
+      {"space-scalar-last-told",
+       "space-echo",
+       "the scalar of a quaternion comes last, not first",
+       {"gyroscopic-term", "pair-momentum", "pair-restitution"}},
+      {"space-beside",
+       "pair-momentum",
+       "changes their angular momentum, by 0.1 of its impulse times its length: it does not pull "
+       "at "
+       "both along one line",
+       {}}};
 }
 
 INSTANTIATE_TEST_SUITE_P(Planted, Flaws, testing::ValuesIn(planted_flaws()), [](const auto& test) {

@@ -8,7 +8,9 @@
 #include <string>
 
 #include "bench/measure/attribution/attribution.hpp"
+#include "bench/measure/attribution/carry.hpp"
 #include "bench/measure/reference.hpp"
+#include "tautline/solve.hpp"
 #include "tests/bench/spoilt_scheme.hpp"
 
 namespace tautline::test {
@@ -141,6 +143,74 @@ TEST(AttributionOfSystems, FollowsWhatIsGivenOverTime) {
     const Attribution found = attributed(planar(name));
     EXPECT_LT(std::abs(found.remainder), 0.05 * found.deviation) << name << described(found);
     EXPECT_GT(found.arcs + found.impacts, 1U) << name;
+  }
+}
+
+using Point = Eigen::Vector3d;
+
+/// One thing that a ball on a cable is given over time.
+struct Given {
+  const char* what;
+  void (*give)(SpatialSystem& system);
+};
+constexpr Given given[] = {
+    {"gravity",
+     [](SpatialSystem& system) {
+       system.gravity.waves = {{Point(0.4, 0.0, 0.2), 3.0, 0.4}};
+     }},
+    {"a force",
+     [](SpatialSystem& system) {
+       system.bodies.front().force =
+           Function<3>::linear({0.5, 1.5}, {Point::Zero(), Point(0.3, 0.2, 0.0)});
+     }},
+    {"a moment",
+     [](SpatialSystem& system) {
+       system.bodies.front().moment.waves = {{Point(0.0, 0.02, 0.01), 2.0, 1.0}};
+     }},
+    {"a winch",
+     [](SpatialSystem& system) {
+       system.cables.front().length =
+           Function<1>::linear({0.5, 1.5}, {Function<1>::Value(1.0), Function<1>::Value(0.7)});
+     }},
+    {"an anchor that moves",
+     [](SpatialSystem& system) {
+       system.cables.front().to.motion.waves = {{Point(0.15, 0.0, 0.05), 1.5, -0.5}};
+     }},
+    {"a hook-up",
+     [](SpatialSystem& system) {
+       SpatialCable hooked = system.cables.front();
+       hooked.to.at = Point(0.0, -0.3, 0.0);
+       hooked.from_time = 0.9;
+       system.cables.push_back(hooked);
+     }},
+    {"a cut", [](SpatialSystem& system) { system.cables.front().cut_at = 1.4; }},
+};
+
+TEST(CarriedSystems, GoOnWithWhatIsGivenOverTime) {
+  constexpr double until = 2.6;             // [s], after some impacts
+  constexpr double grown_rounding = 1e-10;  // [m, rad, m/s, rad/s], over these impacts
+  constexpr double least_effect = 0.1;      // likewise: what a start at time 0 changes
+  for (const auto& [what, give] : given) {
+    SpatialSystem system = shipped("tethered-ball");
+    system.duration = until;
+    give(system);
+    const auto exact = solve(system);
+    ASSERT_EQ(exact.end_time(), until) << what;
+    const SpatialSystemState end = exact.at(until);
+    for (const double time : {0.25, 1.1, 1.7}) {
+      const SpatialSystemState state = exact.at(time);
+      const auto carried =
+          Carrier<SpatialSystem>(system, ImpactLaw::simultaneous, until).carry(state, time);
+      ASSERT_TRUE(carried) << what << " from " << time;
+      EXPECT_LE(difference(carried->end(), end).norm(), grown_rounding) << what << " from " << time;
+      SpatialSystem anew = system;
+      anew.initial = state;
+      anew.initial.time = 0.0;
+      anew.duration = until - time;
+      const auto other = Carried<SpatialSystem>::by(anew, ImpactLaw::simultaneous);
+      EXPECT_TRUE(!other || difference(other->end(), end).norm() > least_effect)
+          << what << " from " << time << ": nothing depends on when it is given";
+    }
   }
 }
 

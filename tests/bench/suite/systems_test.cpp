@@ -167,6 +167,36 @@ TEST(SystemBench, SaysWhichStepASystemNeeds) {
   }
 }
 
+/// What --within prints of the exact model `event` on a system.
+std::string steps_of(const std::string& system, const std::string& part, const std::string& law) {
+  const Outcome outcome = program(
+      {"bench", system, "--within", part, "--engines", "exact", "--models", "event", "--law", law});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  return outcome.output;
+}
+
+TEST(SystemBench, SaysOfASystemThatEveryStepTriedIsTooLong) {
+  // a step that notices the snap late is off by up to 4 m/s times the step, 1e-5 m is asked for
+  const std::string said = steps_of("two-bodies", "0.001%", "simultaneous");
+  EXPECT_NE(said.find("A step-by-step model needs steps below 0.0001 s.\n"), std::string::npos)
+      << said;
+}
+
+TEST(SystemBench, ForetellsNoStepOfASystemUnderALawThatMatters) {
+  const std::string cradle = steps_of("newtons-cradle", "1%", "sequential");
+  EXPECT_NE(cradle.find("Which step a step-by-step model needs is not known: the plain scheme "
+                        "follows the law simultaneous, and the law sequential resolves the impact "
+                        "at 0 s in another way.\n"),
+            std::string::npos)
+      << cradle;
+  // one cable is struck alike by every law
+  for (const char* const law : {"sequential", "energetic"}) {
+    const std::string pair = steps_of("two-bodies", "1%", law);
+    EXPECT_NE(pair.find("A step-by-step model needs steps of 0.002 s.\n"), std::string::npos)
+        << law << pair;
+  }
+}
+
 TEST(SystemBench, SearchesNoStepOfAModelThatRefuses) {
   const Outcome outcome = program({"bench", "two-bodies", "--within", "1%", "--engines",
                                    "exact,bullet64", "--models", "event,two-phase"});

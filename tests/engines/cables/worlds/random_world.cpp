@@ -74,6 +74,20 @@ class Maker {
         shared_restitution < 0.0 ? draw.between(0.0, 1.0) : shared_restitution);
   }
 
+  /// A cable from a load to a place that is `height` above `position`.
+  void hang_from(int load, const Vec3& position, double height) {
+    const CableEnd holder = above(position, height);
+    const CableEnd end = end_on(load);
+    add_cable(end, holder);
+  }
+
+  /// A cable from one load to another.
+  void join(int load, int other) {
+    const CableEnd second = end_on(other);
+    const CableEnd first = end_on(load);
+    add_cable(first, second);
+  }
+
   /// A hook that goes to and fro, no faster than 2 m/s.
   CableEnd add_hook(const Vec3& at) {
     const double pace = draw.between(0.5, 4.0);
@@ -113,25 +127,27 @@ const Vec3 middle(0.0, 4.0, 0.0);  // [m]
 void one_load(Maker& make, int cables) {
   const int load = make.add_load(make.base_mass, middle);
   for (int index = 0; index < cables; ++index) {
-    make.add_cable(make.end_on(load), make.above(middle, make.draw.between(0.8, 3.0)));
+    const double height = make.draw.between(0.8, 3.0);
+    make.hang_from(load, middle, height);
   }
 }
 
 void series(Maker& make) {
-  const bool straight =
-      make.draw.chance(0.3);  // arguments are drawn in an order of the compiler's own
-  make.hang({-1, Vec3(0.0, 7.0, 0.0)}, make.draw.whole(2, 3), 0.5, 2.0, straight);
+  const bool straight = make.draw.chance(0.3);
+  const int loads = make.draw.whole(2, 3);
+  make.hang({-1, Vec3(0.0, 7.0, 0.0)}, loads, 0.5, 2.0, straight);
   // a second cable beside the first, now and then
   if (make.draw.chance(0.3)) {
-    make.add_cable(make.end_on(0), make.above(middle, 3.0));
+    make.hang_from(0, middle, 3.0);
   }
 }
 
 void chain(Maker& make) {
   const int loads = make.draw.whole(4, 10);
-  make.hang({-1, Vec3(0.0, 7.0, 0.0)}, loads, 0.2, 0.6, make.draw.chance(0.3));
+  const bool straight = make.draw.chance(0.3);
+  make.hang({-1, Vec3(0.0, 7.0, 0.0)}, loads, 0.2, 0.6, straight);
   if (make.draw.chance(0.2)) {
-    make.add_cable(make.end_on(loads - 1), make.above(make.world.loads.back().position, 1.0));
+    make.hang_from(loads - 1, make.world.loads.back().position, 1.0);
   }
 }
 
@@ -163,16 +179,20 @@ void moving_hooks(Maker& make) {
   Vec3 at = middle;
   for (const double mass : of_each) {
     make.add_load(mass, at);
-    at -= Vec3(0.0, make.draw.between(0.5, 1.5), 0.0) + make.draw.within(0.3, make.planar);
+    const Vec3 aside = make.draw.within(0.3, make.planar);
+    const double drop = make.draw.between(0.5, 1.5);
+    at -= Vec3(0.0, drop, 0.0) + aside;
   }
   for (int index = 0; index < hooks; ++index) {
-    make.add_hook(middle + make.draw.between(0.8, 2.5) * Vec3::UnitY() +
-                  make.draw.within(0.8, make.planar));
-    make.add_cable(make.end_on(0), {make.world.hook(index), Vec3::Zero()});
+    const Vec3 aside = make.draw.within(0.8, make.planar);
+    const double height = make.draw.between(0.8, 2.5);
+    const CableEnd hook = make.add_hook(middle + height * Vec3::UnitY() + aside);
+    const CableEnd end = make.end_on(0);
+    make.add_cable(end, hook);
   }
   give_room(make.world);
   for (int load = 1; load < loads; ++load) {
-    make.add_cable(make.end_on(load), make.end_on(load - 1));
+    make.join(load, load - 1);
   }
 }
 
@@ -242,9 +262,11 @@ void web(Maker& make) {
   const int loads = make.world.load_count();
   for (int load = 0; load < loads; ++load) {
     if (load == 0 || make.draw.chance(0.5)) {
-      make.add_cable(make.end_on(load), make.above(middle, make.draw.between(1.5, 3.0)));
+      const double height = make.draw.between(1.5, 3.0);
+      make.hang_from(load, middle, height);
     } else {
-      make.add_cable(make.end_on(load), make.end_on(make.draw.whole(0, load - 1)));
+      const int other = make.draw.whole(0, load - 1);
+      make.join(load, other);
     }
   }
   const auto wanted =
@@ -252,7 +274,7 @@ void web(Maker& make) {
   while (make.world.cables.size() < wanted) {
     const int one = make.draw.whole(0, loads - 1);
     const int other = (one + make.draw.whole(1, loads - 1)) % loads;
-    make.add_cable(make.end_on(one), make.end_on(other));
+    make.join(one, other);
   }
 }
 

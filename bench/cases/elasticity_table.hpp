@@ -34,9 +34,9 @@ inline void read_damping(StrictTable& table, Elasticity& law) {
                     .value_or(0.0);
   law.damping_ratio =
       table
-          .optional_number({"damping_ratio",
-                            "instead of damping: the share of critical damping at each entry"},
-                           zero_or_above, "")
+          .optional_number(
+              {"damping_ratio", "instead of damping: the share of critical damping at each entry"},
+              zero_or_above, "")
           .value_or(0.0);
 }
 
@@ -46,9 +46,13 @@ inline std::optional<Elasticity> read_elasticity(StrictTable& table) {
   const bool is_elastic = table.has("stiffness");
   Elasticity law;
   table.with("stiffness", [&] {
-    const Range above = {"a finite number above 0, or an array of numbers k1, k2, ... for k1 s + "
-                         "k2 s^2 + ...",
-                         1.0, 0.0, {}, true};
+    const Range above = {
+        "a finite number above 0, or an array of numbers k1, k2, ... for k1 s + "
+        "k2 s^2 + ...",
+        1.0,
+        0.0,
+        {},
+        true};
     law.stiffness = table.number_or_numbers(
         {"stiffness",
          "makes the cable elastic: the force per stretch s, or k1, k2, ... for the force k1 s + k2 "

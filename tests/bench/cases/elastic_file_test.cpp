@@ -15,8 +15,8 @@ std::string jumper(const std::string& keys, bool in_space = false) {
   const std::string z = in_space ? ", 0.0" : "";
   return "name = \"jumper\"\nduration = 4.0\ngravity = [0.0, -9.81" + z +
          "]\n\n[[bodies]]\nmass = 2.0\nposition = [0.0, -0.85" + z +
-         "]\n\n[[cables]]\nfrom = { body = \"body\" }\nto = [0.0, 0.0" + z +
-         "]\nlength = 1.0\n" + keys + "\n";
+         "]\n\n[[cables]]\nfrom = { body = \"body\" }\nto = [0.0, 0.0" + z + "]\nlength = 1.0\n" +
+         keys + "\n";
 }
 
 Elasticity law_of(const std::string& keys) {
@@ -46,8 +46,8 @@ TEST(ElasticFile, SaysHowACableStretches) {
   EXPECT_EQ(law_of("stiffness = 100.0\ndamping = 0.5").damping, 0.5);
   EXPECT_EQ(law_of("stiffness = 100.0\ndamping_ratio = 0.05").damping_ratio, 0.05);
   // the inverse of (E6) by bisection in many digits
-  EXPECT_NEAR(law_of("stiffness = 100.0\nrestitution = 0.9").damping_ratio,
-              0.034265204126232760984, 1e-16);
+  EXPECT_NEAR(law_of("stiffness = 100.0\nrestitution = 0.9").damping_ratio, 0.034265204126232760984,
+              1e-16);
   EXPECT_EQ(law_of("stiffness = 100.0\nrestitution = 1.0").damping_ratio, 0.0);
 }
 
@@ -55,10 +55,8 @@ TEST(ElasticFile, IsWrittenWithoutImpacts) {
   for (const auto& [keys, written] : std::vector<std::pair<std::string, std::string>>{
            {"stiffness = 100", "stiffness = 100.0\n"},
            {"stiffness = [100.0]", "stiffness = 100.0\n"},
-           {"stiffness = [100.0, 5.0]\ndamping = 0.5",
-            "stiffness = [100.0, 5.0]\ndamping = 0.5\n"},
-           {"stiffness = 100.0\ndamping_ratio = 0.25",
-            "stiffness = 100.0\ndamping_ratio = 0.25\n"},
+           {"stiffness = [100.0, 5.0]\ndamping = 0.5", "stiffness = [100.0, 5.0]\ndamping = 0.5\n"},
+           {"stiffness = 100.0\ndamping_ratio = 0.25", "stiffness = 100.0\ndamping_ratio = 0.25\n"},
            {"stiffness = 100.0\nrestitution = 1.0", "stiffness = 100.0\n"}}) {
     const SystemReading reading = read_system_text(jumper(keys), "jumper.toml");
     ASSERT_TRUE(reading.system) << keys;
@@ -84,8 +82,13 @@ TEST(ElasticFile, AMistakeGivesOneSentence) {
        "...]"},
       {"stiffness = [-5.0, 1.0]",
        "13: cable 0: stiffness -5 must be a finite number above 0 [N/m]"},
-      {"stiffness = [5.0, -50.0]", "9: cable 0: its force falls at a stretch of 0.067108864 m, which the start and a fall through two lengths may reach; stiffness must give a force that rises"},
-      {"stiffness = 1e15", "9: cable 0: its frequency, 22360679.774997897 rad/s, must be at most 625000 rad/s for a duration of 4 s: make it inextensible with restitution 1, which its contacts have, or lower its stiffness to 7.8125e+11 N/m"},
+      {"stiffness = [5.0, -50.0]",
+       "9: cable 0: its force falls at a stretch of 0.067108864 m, which the start and a fall "
+       "through two lengths may reach; stiffness must give a force that rises"},
+      {"stiffness = 1e15",
+       "9: cable 0: its frequency, 22360679.774997897 rad/s, must be at most 625000 rad/s for a "
+       "duration of 4 s: make it inextensible with restitution 1, which its contacts have, or "
+       "lower its stiffness to 7.8125e+11 N/m"},
       {"stiffness = 5.0\ndamping = -1.0",
        "14: cables[0].damping = -1: must be a finite number, 0 or above [N s/m]"},
       {"stiffness = 5.0\ndamping_ratio = -1.0",

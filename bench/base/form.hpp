@@ -44,6 +44,7 @@ struct Form {
   bool required = false;
   std::string with = {};                 // the key without which this one is unknown, or ""
   std::string needs = {};                // the key without which this one is refused, or ""
+  std::string_view unless = {};          // the key with which this one may be missing, or ""
   bool not_empty = false;                // a text is not ""
   std::vector<std::string> words = {};   // the only texts, or none: any text
   Range range = any_number;              // for a number, and for those of `instead`

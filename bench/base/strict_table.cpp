@@ -184,6 +184,24 @@ std::vector<double> StrictTable::numbers(const Key& key, std::string_view unit, 
   return result;
 }
 
+std::vector<double> StrictTable::number_or_numbers(const Key& key, const Range& range,
+                                                   std::string_view unit) {
+  const toml::node* node = find(key.name);
+  if (form_ == nullptr && node != nullptr && node->is_array()) {
+    return numbers(key, unit);
+  }
+  std::vector<double> result;
+  if (const auto one = optional_number(key, range, unit)) {
+    result = {*one};
+  }
+  if (form_ != nullptr) {
+    Form several{.kind = Form::Kind::array, .least = 1};
+    several.inside.push_back({.kind = Form::Kind::number});
+    form_->inside.back().also = {several};
+  }
+  return result;
+}
+
 std::vector<double> StrictTable::numbers_of(const Key& key, std::size_t count,
                                             std::string_view unit, const Range& range) {
   if (Form* const form = note(Form::Kind::array, key, unit)) {
@@ -393,6 +411,14 @@ void StrictTable::needs(std::string_view key, std::string_view other) {
   if (form_ != nullptr) {
     for (Form& form : form_->inside) {
       form.needs = form.key == key ? other : form.needs;
+    }
+  }
+}
+
+void StrictTable::required_unless(std::string_view key, std::string_view other) {
+  if (form_ != nullptr) {
+    for (Form& form : form_->inside) {
+      form.unless = form.key == key ? other : form.unless;
     }
   }
 }

@@ -57,6 +57,9 @@ class StrictTable {
   /// `required`.
   [[nodiscard]] std::vector<double> numbers(const Key& key, std::string_view unit,
                                             const Range& range = any_number, bool required = false);
+  /// One number in `range`, or an array of at least one number; empty where the key is missing.
+  [[nodiscard]] std::vector<double> number_or_numbers(const Key& key, const Range& range,
+                                                      std::string_view unit);
   /// An array of N numbers, 2 to 4: a point or a direction, or a quaternion.
   template <int N>
   [[nodiscard]] Numbers<N> vector(const Key& key, std::string_view unit,
@@ -101,6 +104,9 @@ class StrictTable {
 
   /// Notes that `key`, which has been asked for, is refused without `other`.
   void needs(std::string_view key, std::string_view other);
+
+  /// Notes that `key`, which has been asked for, may be missing where `other` is there.
+  void required_unless(std::string_view key, std::string_view other);
 
   /// How many of `keys` the table has. It must have one of them: the caller refuses another number.
   [[nodiscard]] std::size_t count(const std::vector<std::string>& keys);

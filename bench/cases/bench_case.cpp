@@ -80,6 +80,7 @@ SpatialSystem in_space(const System& system) {
     made.length = cable.length;
     made.restitution = cable.restitution;
     made.capture_speed = cable.capture_speed;
+    made.elasticity = cable.elasticity;
     made.restitution_table = cable.restitution_table;
     made.from_time = cable.from_time;
     made.cut_at = cable.cut_at;

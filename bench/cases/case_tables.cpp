@@ -13,6 +13,7 @@
 #include "bench/base/text.hpp"
 #include "bench/base/value.hpp"
 #include "bench/cases/case_form.hpp"
+#include "bench/cases/elasticity_table.hpp"
 #include "bench/cases/function_tables.hpp"
 
 namespace tautline::bench {
@@ -178,21 +179,9 @@ void read_ends(StrictTable& table, BasicCableOfSystem<double, D>& cable, const E
   }
 }
 
-/// A cable, and whether it starts taut.
-template <class TheCase>
-std::pair<typename TheCase::Cable, bool> read_cable(StrictTable& table, const TheCase& the_case) {
-  constexpr bool is_system = !std::is_same_v<TheCase, Case>;
-  typename TheCase::Cable cable;
-  if constexpr (is_system) {
-    constexpr int dimension = TheCase::Vector::RowsAtCompileTime;
-    read_ends(table, cable, EndReader<dimension>(the_case.bodies));
-    cable.length =
-        read_function<1>(table.table_or(length_key, "value", true, above_zero), "[m]", above_zero);
-  } else {
-    cable.anchor = table.vector<2>(anchor_key, "[m]");
-    cable.attachment = table.vector<2>(attachment_key, "[m]");
-    cable.length = table.number(length_key, above_zero, "[m]");
-  }
+/// Reads the impacts of an inextensible cable.
+template <class TheCable>
+void read_impacts(StrictTable& table, TheCable& cable) {
   cable.restitution = table.number(
       {"restitution", "the share of its closing rate with which the cable opens after an impact"},
       zero_to_one, "");
@@ -207,8 +196,32 @@ std::pair<typename TheCase::Cable, bool> read_cable(StrictTable& table, const Th
   for (const Vec2& point : table.vectors<2>(by_speed, "[m/s, -]", false, "[speed, restitution]")) {
     cable.restitution_table.push_back({point.x(), point.y()});
   }
+}
+
+/// A cable, and whether it starts taut.
+template <class TheCase>
+std::pair<typename TheCase::Cable, bool> read_cable(StrictTable& table, const TheCase& the_case) {
+  constexpr bool is_system = !std::is_same_v<TheCase, Case>;
+  typename TheCase::Cable cable;
+  bool is_elastic = false;
+  if constexpr (is_system) {
+    constexpr int dimension = TheCase::Vector::RowsAtCompileTime;
+    read_ends(table, cable, EndReader<dimension>(the_case.bodies));
+    cable.length =
+        read_function<1>(table.table_or(length_key, "value", true, above_zero), "[m]", above_zero);
+    cable.elasticity = read_elasticity(table);
+    is_elastic = cable.elasticity.has_value();
+  } else {
+    cable.anchor = table.vector<2>(anchor_key, "[m]");
+    cable.attachment = table.vector<2>(attachment_key, "[m]");
+    cable.length = table.number(length_key, above_zero, "[m]");
+  }
+  if (!is_elastic) {
+    read_impacts(table, cable);
+  }
   bool taut = false;
   if constexpr (is_system) {
+    table.required_unless("restitution", "stiffness");
     cable.from_time = table.optional_number(
         {"from_time", "the cable is hooked up then; default: from the start"}, above_zero, "[s]");
     cable.cut_at = table.optional_number({"cut_at", "the cable is cut then; default: never"},
@@ -455,7 +468,7 @@ std::optional<SystemKey> system_key(const toml::table& file) {
   for (std::size_t index = 0; cables != nullptr && index < cables->size(); ++index) {
     const toml::node* cable = cables->get(index);
     const std::string name = "cables[" + std::to_string(index) + "].";
-    for (const char* const key : {"from", "through", "to", "from_time", "cut_at"}) {
+    for (const char* const key : {"from", "through", "to", "from_time", "cut_at", "stiffness"}) {
       if (const toml::node* found = node_inside(cable, key)) {
         return key_of(*found, name + key);
       }

@@ -139,6 +139,17 @@ void add_restitution(const TheCable& cable, Members& members) {
   }
 }
 
+void add_elasticity(const Elasticity& law, Members& members) {
+  members.add("stiffness",
+              law.stiffness.size() == 1 ? number(law.stiffness[0]) : list(law.stiffness));
+  if (law.damping != 0.0) {  // exactly: the default
+    members.add("damping", number(law.damping));
+  }
+  if (law.damping_ratio != 0.0) {
+    members.add("damping_ratio", number(law.damping_ratio));
+  }
+}
+
 void add_state(const State& state, Members& members) {
   members.add("position", value_of(state.position));
   members.add("angle", number(state.angle));
@@ -337,7 +348,11 @@ class SystemWriter {
     }
     members.add("to", end(cable.to));
     members.add("length", function_text<1>(cable.length, syntax_));
-    add_restitution(cable, members);
+    if (cable.elasticity) {
+      add_elasticity(*cable.elasticity, members);
+    } else {
+      add_restitution(cable, members);
+    }
     if (cable.from_time) {
       members.add("from_time", number(*cable.from_time));
     }

@@ -97,6 +97,33 @@ MaybeNumber rate(BasicFunction<double, 1>& function) {
                 }};
 }
 
+/// A number of a cable that impacts, which an elastic one does not have.
+template <int D>
+MaybeNumber of_impact(const BasicCableOfSystem<double, D>& cable, double& number) {
+  return cable.elasticity ? std::nullopt : MaybeNumber(plain(number));
+}
+
+/// The first coefficient; all of them grow with it.
+MaybeNumber stiffness(std::optional<Elasticity>& law) {
+  if (!law) {
+    return std::nullopt;
+  }
+  const std::vector<double> now = law->stiffness;
+  return Number{now.front(), [&law, now](double value) {
+                  for (std::size_t i = 0; i < now.size(); ++i) {
+                    law->stiffness[i] = i == 0 ? value : now[i] * (value / now.front());
+                  }
+                }};
+}
+
+/// A cable has one of damping and damping ratio.
+MaybeNumber damping(std::optional<Elasticity>& law) {
+  return law && !(law->damping_ratio > 0.0) ? MaybeNumber(plain(law->damping)) : std::nullopt;
+}
+MaybeNumber damping_ratio(std::optional<Elasticity>& law) {
+  return law && !(law->damping > 0.0) ? MaybeNumber(plain(law->damping_ratio)) : std::nullopt;
+}
+
 template <int N>
 MaybeNumber amplitude(BasicWave<double, N>& wave) {
   const double now = wave.amplitude.norm();
@@ -203,10 +230,14 @@ void each_kind(BasicSystem<double, D>& s, const Use& use) {
     use(Kind{name, "m/s^2", Owner::system},
         [&](Index) -> MaybeNumber { return constant_part(s.gravity, axis); });
   });
-  of_cables("restitution", "", [](auto& cable) { return plain(cable.restitution); });
+  of_cables("restitution", "", [](auto& cable) { return of_impact(cable, cable.restitution); });
   of_cables("length_rate", "m/s", [](auto& cable) { return rate(cable.length); });
   of_cables("length", "m", [](auto& cable) { return constant_part(cable.length, 0); });
-  of_cables("capture_speed", "m/s", [](auto& cable) { return plain(cable.capture_speed); });
+  of_cables("capture_speed", "m/s",
+            [](auto& cable) { return of_impact(cable, cable.capture_speed); });
+  of_cables("stiffness", "N/m", [](auto& cable) { return stiffness(cable.elasticity); });
+  of_cables("damping", "N s/m", [](auto& cable) { return damping(cable.elasticity); });
+  of_cables("damping_ratio", "", [](auto& cable) { return damping_ratio(cable.elasticity); });
   of_cables("from_time", "s", [](auto& cable) { return plain(cable.from_time); });
   of_cables("cut_at", "s", [](auto& cable) { return plain(cable.cut_at); });
   of_waves("amplitude", "", [](auto& wave) { return amplitude(wave); });

@@ -138,9 +138,14 @@ Json schema_of_keys(const Form& table) {
   Json properties = Json::object();
   Json required = Json::array();
   Json together = Json::object();
+  Json any_of = Json::array();
   for (const Form& key : table.inside) {
     properties[key.key] = schema_of_form(key);
-    if (is_required(key)) {
+    if (is_required(key) && !key.unless.empty()) {
+      for (const std::string& one : {key.key, std::string(key.unless)}) {
+        any_of.push_back({{"required", {one}}});
+      }
+    } else if (is_required(key)) {
       required.push_back(key.key);
     }
     if (!key.needs.empty()) {
@@ -163,6 +168,9 @@ Json schema_of_keys(const Form& table) {
   }
   if (!one_of.empty()) {
     schema["oneOf"] = std::move(one_of);
+  }
+  if (!any_of.empty()) {
+    schema["anyOf"] = std::move(any_of);
   }
   if (!together.empty()) {
     schema["dependencies"] = std::move(together);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "bench/base/process.hpp"
@@ -64,6 +66,18 @@ void take_flights(const SpatialSystem& system, std::size_t count, double dt) {
 }  // namespace
 
 Meter own_meter() { return {thread_time, peak_memory}; }
+
+std::unique_ptr<SystemSimulation> started(const Engine& engine, const SpatialSystem& system,
+                                          const std::string& model, const RunSettings& settings) {
+  for (std::size_t index = 0; index < system.cables.size(); ++index) {
+    if (system.cables[index].elasticity) {
+      throw std::invalid_argument("unsupported: engines run inextensible cables alone, and cable " +
+                                  std::to_string(index) +
+                                  " has a stiffness; must have a restitution instead");
+    }
+  }
+  return engine.start_system(system, model, settings);
+}
 
 template <class TheCase>
 Cost measure_cost(const TheCase& whole_case, const Engine& engine, const std::string& model,

@@ -66,6 +66,7 @@ TEST(FuzzSeeds, AreAccepted) {
   const std::filesystem::path files = corpus / "files";
   expect_none(read_case_text(content(files / "case.toml"), "case.toml").problems);
   expect_none(read_system_text(content(files / "system.toml"), "system.toml").problems);
+  expect_none(read_system_text(content(files / "elastic.toml"), "elastic.toml").problems);
   expect_none(bench::read_spec_text(content(files / "spec.toml"), "spec.toml").problems);
   expect_none(
       bench::read_problems_text(content(files / "problems.toml"), "problems.toml").problems);

@@ -180,6 +180,7 @@ TEST(SystemFile, IsASystemByItsContentInTheShortFormToo) {
        {"[0.0, 1.0]", "{ waves = [{ amplitude = [0.0, 1.0], frequency = 0.0 }] }"}},
       {"ball.toml:10: cables[0].length", {"1.5", "{ times = [0.0, 1.0], values = [1.5, 1.0] }"}},
       {"ball.toml:12: cables[0].cut_at", {"restitution = 0.5", "restitution = 0.5\ncut_at = 1.0"}},
+      {"ball.toml:11: cables[0].stiffness", {"restitution = 0.5", "stiffness = 1e3"}},
       {"ball.toml:8: cables[0].from",
        {"anchor = [0.0, 1.0]\nattachment = [0.0, 0.1]",
         "from = { body = \"body\", at = [0.0, 0.1] }\nto = [0.0, 1.0]"}}};
@@ -403,7 +404,7 @@ const std::vector<Mistake> mistakes = {
      "crane.toml:38: cables[2].thruogh: unknown key; did you mean through?"},
     {"from_time = 0.25", "angle = 3",
      "crane.toml:42: cables[2].angle = 3: unknown key, must be from, through, to, length, "
-     "restitution, capture_speed, restitution_table, from_time or cut_at"},
+     "stiffness, restitution, capture_speed, restitution_table, from_time or cut_at"},
     {"to = { at = [0.0, 0.0], waves", "to = { at = [0.0, 0.0], wave_list",
      "crane.toml:31: cables[1].to.wave_list: unknown key, must be body, at, waves, times or "
      "pieces"},
@@ -422,7 +423,7 @@ const std::vector<Mistake> mistakes = {
     {"[[cables]]\nfrom = { body = \"load\", at = [-0.3, 0.1] }",
      "[[cables]]\nname = \"sling\"\nfrom = { body = \"load\", at = [-0.3, 0.1] }",
      "crane.toml:24: cables[0].name = \"sling\": unknown key, must be from, through, to, length, "
-     "restitution, capture_speed, restitution_table, from_time or cut_at"},
+     "stiffness, restitution, capture_speed, restitution_table, from_time or cut_at"},
 };
 
 class SystemMistake : public testing::TestWithParam<Mistake> {};

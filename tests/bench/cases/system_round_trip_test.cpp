@@ -151,6 +151,16 @@ class Draw {
     return end;
   }
 
+  Elasticity elasticity() {
+    Elasticity law;
+    law.stiffness = {between(1.0, 1e4)};
+    for (int more = below(3); more > 0; --more) {
+      law.stiffness.push_back(std::abs(number(1e5)));
+    }
+    (one_in(2) ? law.damping : law.damping_ratio) = one_in(3) ? 0.0 : between(0.0, 2.0);
+    return law;
+  }
+
   CableOfSystem cable(const System& system) {
     CableOfSystem cable;
     const auto count = static_cast<int>(system.bodies.size());
@@ -169,9 +179,13 @@ class Draw {
       std::swap(cable.from, cable.to);
     }
     cable.length = function<1>(1.0, Function<1>::Value(60.0));
-    cable.restitution = between(0.0, 1.0);
-    cable.capture_speed = one_in(3) ? between(0.0, 1.0) : 0.0;
     if (one_in(4)) {
+      cable.elasticity = elasticity();
+    } else {
+      cable.restitution = between(0.0, 1.0);
+      cable.capture_speed = one_in(3) ? between(0.0, 1.0) : 0.0;
+    }
+    if (!cable.elasticity && one_in(4)) {
       cable.restitution_table = {{0.0, 0.9}, {between(0.1, 1.0), between(0.0, 1.0)}};
     }
     if (one_in(4)) {
@@ -252,6 +266,10 @@ std::vector<std::uint64_t> bits(const BasicSystem<double, D>& system) {
     for (const RestitutionPoint& point : cable.restitution_table) {
       add(point.speed, point.restitution);
     }
+    const Elasticity law = cable.elasticity.value_or(Elasticity());
+    result.push_back(law.stiffness.size());
+    add_all(law.stiffness);
+    add(law.damping, law.damping_ratio);
   }
   return result;
 }
@@ -273,8 +291,9 @@ void round_trip(int systems, std::optional<BasicSystem<double, D>> SystemReading
       ASSERT_EQ(reading.problems, Strings()) << "system " << i << "\n" << written;
       ASSERT_EQ(bits(*(reading.*kind)), bits(system)) << "system " << i << "\n" << written;
     }
-    for (const std::string form : {"{ value", "{ times", "spline", "pieces", "waves", "through",
-                                   "cut_at", "from_time", "body = \"body"}) {
+    for (const std::string form :
+         {"{ value", "{ times", "spline", "pieces", "waves", "through", "cut_at", "from_time",
+          "body = \"body", "stiffness = [", "stiffness", "damping =", "damping_ratio"}) {
       forms[form] += text.find(form) != std::string::npos ? 1 : 0;
     }
   }

@@ -119,6 +119,25 @@ TEST(SystemQuantities, ShiftAllWavesInTime) {
   EXPECT_NE(quantity(waves, "amplitude_1"), 5.0);
 }
 
+TEST(SystemQuantities, OfAnElasticCableAreItsOwn) {
+  System winch = shipped("winch");
+  EXPECT_FALSE(has(winch, "stiffness"));
+  winch.cables[0].restitution = 1.0;
+  winch.cables[0].elasticity = Elasticity{.stiffness = {100.0, 8.0}, .damping_ratio = 0.25};
+  EXPECT_FALSE(has(winch, "restitution_0"));
+  EXPECT_FALSE(has(winch, "capture_speed_0"));
+  EXPECT_FALSE(has(winch, "damping")) << "its file has damping_ratio";
+  EXPECT_EQ(quantity(winch, "damping_ratio_0"), 0.25);
+  EXPECT_EQ(unit_of_quantity(winch, "stiffness"), "N/m");
+  set_quantity(winch, "stiffness", 50.0);
+  EXPECT_EQ(winch.cables[0].elasticity->stiffness, (std::vector<double>{50.0, 4.0}));
+  winch.cables[0].elasticity->damping_ratio = 0.0;
+  set_quantity(winch, "damping_0", 3.0);
+  EXPECT_EQ(winch.cables[0].elasticity->damping, 3.0);
+  EXPECT_EQ(unit_of_quantity(winch, "damping"), "N s/m");
+  EXPECT_FALSE(has(winch, "damping_ratio"));
+}
+
 TEST(SystemQuantities, InSpaceHaveTheNamesOfTheFile) {
   const SpatialSystem load = in_space("hoisted-load");
   for (const char* name : {"x", "y", "z", "load.rotation_x", "velocity_z", "spin_y", "load.spin_z",

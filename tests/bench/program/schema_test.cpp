@@ -346,6 +346,13 @@ TEST(FileSchemas, RefuseUnknownKeysWrongTypesRangesAndWhatIsMissing) {
       {"system", "{ from = 0.25, polynomial", "{ polynomial"},
       {"system", "cut_at = 12.5", "cut_at = 0"},
       {"system", "drag = 0.1", "drag = -0.1"},
+      {"system", "restitution = 0.9\n", ""},
+      {"system", "restitution = 0.9\ncapture_speed = 1e-3", "stiffness = 0"},
+      {"system", "restitution = 0.9\ncapture_speed = 1e-3", "stiffness = []"},
+      {"system", "restitution = 0.9\ncapture_speed = 1e-3", "stiffness = [1.0, \"2\"]"},
+      {"system", "restitution = 0.9\ncapture_speed = 1e-3", "stiffness = 1.0\ndamping = -1.0"},
+      {"system", "restitution = 0.9\ncapture_speed = 1e-3", "damping = 1.0"},
+      {"system", "restitution = 0.9", "restitution = 0.9\ndamping = 1.0"},
       {"system", "[[bodies]]\nname = \"load\"",
        "[initial]\nposition = [0, 0]\n[[bodies]]\nname = \"load\""},
       {"problems", "schema = 2\n", "schema = 1\n"},
@@ -375,6 +382,18 @@ TEST(FileSchemas, RefuseUnknownKeysWrongTypesRangesAndWhatIsMissing) {
     text.replace(at, line.size(), instead);
     EXPECT_FALSE(file_kinds().at(kind).problems(text).empty()) << text;
     EXPECT_NE(broken_rules(file_as_json(text), schema_of(kind)), "") << text;
+  }
+}
+
+TEST(FileSchemas, AcceptElasticCables) {
+  for (const std::string keys :
+       {"stiffness = 10", "stiffness = [10.0, 0.0, 5.0]\ndamping = 1.0",
+        "stiffness = 10.0\ndamping_ratio = 0.1", "stiffness = 10.0\nrestitution = 0.9"}) {
+    const std::string line = "restitution = 0.9\ncapture_speed = 1e-3";
+    std::string text = fuzz_seed("system.toml");
+    text.replace(text.find(line), line.size(), keys);
+    EXPECT_EQ(read_system_text(text, "f").problems, Sentences());
+    EXPECT_EQ(broken_rules(file_as_json(text), schema_of("system")), "") << text;
   }
 }
 

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bench/cases/bench_case.hpp"
 #include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
@@ -69,6 +71,22 @@ TEST(Cost, OfACaseThatIsShorterIsThatOfAllOfIt) {
   Ways ways;
   static_cast<void>(measure_cost(the_case, CountingEngine(ways), "m", {1e-2}));
   EXPECT_NEAR(*std::max_element(ways.begin(), ways.end()), 0.25, 1e-12);
+}
+
+/// A system in the plane runs in space.
+TEST(Started, RefusesAnElasticCableByItsNumberBeforeTheEngineSeesIt) {
+  System in_the_plane = shipped_systems().front().system;
+  in_the_plane.cables.push_back(in_the_plane.cables.front());
+  in_the_plane.cables.back().elasticity = Elasticity{.stiffness = {1e3}};
+  const std::string last = std::to_string(in_the_plane.cables.size() - 1);
+  Ways ways;
+  try {
+    static_cast<void>(started(CountingEngine(ways), in_space(in_the_plane), "m", {1e-2}));
+    ADD_FAILURE() << "it started";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(error.what(), "unsupported: engines run inextensible cables alone, and cable " +
+                                last + " has a stiffness; must have a restitution instead");
+  }
 }
 
 }  // namespace

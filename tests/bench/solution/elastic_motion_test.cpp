@@ -57,6 +57,11 @@ TEST(ElasticMotion, HasItsContactsInJsonAndOthersHaveNone) {
   ASSERT_EQ(json.at("contacts").size(), contacts.size());
   const auto& first = json.at("contacts").front();
   EXPECT_EQ(first.at("cable"), 0);
+  EXPECT_EQ(json.at("events").front().at("kind"), "entry");
+  const std::string schema = solution_schema_json();
+  for (const char* const word : {"\"entry\"", "\"exit\"", "\"contacts\"", "\"dissipated\""}) {
+    EXPECT_NE(schema.find(word), std::string::npos) << word;
+  }
   EXPECT_EQ(first.at("peak").at("value"), contacts.front().contact.peak);
   EXPECT_EQ(first.at("impulse").at("error"), contacts.front().errors.impulse);
   EXPECT_EQ(json.at("energy").at("dissipated"), motion.ledger().dissipated);

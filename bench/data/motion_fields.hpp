@@ -16,7 +16,8 @@ namespace tautline::bench {
 
 template <>
 struct Words<EventKind> {
-  static constexpr std::array all = {EventKind::impact, EventKind::taut, EventKind::slack};
+  static constexpr std::array all = {EventKind::impact, EventKind::taut, EventKind::slack,
+                                     EventKind::entry, EventKind::exit};
 };
 
 template <class Visitor>

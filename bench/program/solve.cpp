@@ -287,12 +287,12 @@ void print_solution(const SolveCommand& command, const BasicCheckedMotion<D>& mo
   };
   const std::string bodies =
       system.bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", system.bodies.size());
-  fmt::print("{}: {}, {}, {}\n\n{}{}{}", printable(system.name), bodies,
-             count(system.cables.size(), "cable"),
-             count(motion.solution().events().size(), "event"),
-             wrapped_lines(system_text(motion), style.text),
-             command.csv.empty() ? samples_text(motion, times, style) : "",
-             events_text(motion, command.events, style));
+  fmt::print(
+      "{}: {}, {}, {}\n\n{}{}{}{}", printable(system.name), bodies,
+      count(system.cables.size(), "cable"), count(motion.solution().events().size(), "event"),
+      wrapped_lines(system_text(motion), style.text),
+      command.csv.empty() ? samples_text(motion, times, style) : "",
+      contacts_text(motion, command.events, style), events_text(motion, command.events, style));
 }
 
 /// A picture of the motion of a system.

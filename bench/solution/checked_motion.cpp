@@ -256,14 +256,16 @@ std::optional<std::size_t> BasicCheckedMotion<D>::same_event(std::size_t index) 
 
 template <int D>
 SystemLedger BasicCheckedMotion<D>::ledger_errors() const {
-  SystemLedger errors{-1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0};
+  SystemLedger errors{-1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0};
   if (in_digits_ && !horizon_) {
     for (const auto& [member, same] :
          {std::pair(&SystemLedger::start, &BasicSystemLedger<Multi>::start),
           std::pair(&SystemLedger::work, &BasicSystemLedger<Multi>::work),
           std::pair(&SystemLedger::impacts, &BasicSystemLedger<Multi>::impacts),
           std::pair(&SystemLedger::completions, &BasicSystemLedger<Multi>::completions),
-          std::pair(&SystemLedger::end, &BasicSystemLedger<Multi>::end)}) {
+          std::pair(&SystemLedger::end, &BasicSystemLedger<Multi>::end),
+          std::pair(&SystemLedger::stored, &BasicSystemLedger<Multi>::stored),
+          std::pair(&SystemLedger::dissipated, &BasicSystemLedger<Multi>::dissipated)}) {
       errors.*member = off_by(ledger_.*member, in_digits_->ledger.*same);
     }
   }
@@ -350,6 +352,38 @@ std::vector<Bounded> BasicCheckedMotion<D>::impulses(std::size_t index) const {
       }
     }
     result.push_back({impulse, error});
+  }
+  return result;
+}
+
+template <int D>
+std::vector<CheckedContact> BasicCheckedMotion<D>::contacts() const {
+  using Mine = ElasticContact;
+  using Other = BasicElasticContact<Multi>;
+  std::optional<tautline::Digits> precision;
+  std::vector<Other> others;
+  if (in_digits_) {
+    precision.emplace(static_cast<unsigned>(digits_));
+    others = elastic_contacts(in_digits_->solution);
+  }
+  std::vector<CheckedContact> result;
+  for (const Mine& mine : elastic_contacts(solution_)) {
+    const double last = mine.exit.value_or(solution_.end_time());
+    const std::size_t place = result.size();
+    const bool same = place < others.size() && others[place].cable == mine.cable &&
+                      !(horizon_ && last >= *horizon_);
+    Mine errors{.cable = mine.cable};
+    errors.exit = same ? off_by(mine.exit, others[place].exit) : -1.0;
+    for (const auto& [member, other] :
+         {std::pair(&Mine::entry, &Other::entry),
+          std::pair(&Mine::entry_speed, &Other::entry_speed),
+          std::pair(&Mine::exit_speed, &Other::exit_speed), std::pair(&Mine::peak, &Other::peak),
+          std::pair(&Mine::peak_time, &Other::peak_time),
+          std::pair(&Mine::greatest_stretch, &Other::greatest_stretch),
+          std::pair(&Mine::impulse, &Other::impulse)}) {
+      errors.*member = same ? off_by(mine.*member, others[place].*other) : -1.0;
+    }
+    result.push_back({mine, errors});
   }
   return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "bench/solution/samples.hpp"
+#include "tautline/elastic_contacts.hpp"
 #include "tautline/solution.hpp"
 #include "tautline/solve.hpp"
 #include "tautline/system_ledger.hpp"
@@ -34,6 +36,20 @@ struct SystemSettlingErrors {
   double lock = -1.0;                 // [s]
   double residual_energy = -1.0;      // [J]
   double one_percent = -1.0;          // [s]
+};
+
+/// True if a cable of `system` is elastic.
+template <int D>
+[[nodiscard]] bool has_elastic_cables(const BasicSystem<double, D>& system) {
+  return std::any_of(system.cables.begin(), system.cables.end(),
+                     [](const auto& cable) { return cable.elasticity.has_value(); });
+}
+
+/// A contact of an elastic cable, and how far each of its numbers is right, in its place; < 0 where
+/// that is not known.
+struct CheckedContact {
+  ElasticContact contact;
+  ElasticContact errors;
 };
 
 /// The motion of a system of D dimensions in double, and in more digits to say how far it is right:
@@ -82,6 +98,9 @@ class BasicCheckedMotion {
 
   /// Its impulses [N s], one for each of its cables.
   [[nodiscard]] std::vector<Bounded> impulses(std::size_t index) const;
+
+  /// The contacts of its elastic cables, by rising entry.
+  [[nodiscard]] std::vector<CheckedContact> contacts() const;
 
   /// How far the limit of accumulation `index` is right [s]; < 0 where that is not known.
   [[nodiscard]] double accumulation_error(std::size_t index) const;

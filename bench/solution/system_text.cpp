@@ -219,11 +219,19 @@ class Sentences {
     }
     const double lost = ledger.impacts + ledger.completions;
     const double error = errors.impacts < 0.0 ? -1.0 : errors.impacts + errors.completions;
+    const std::string elastic = has_elastic_cables(motion_.system())
+                                    ? fmt::format(" Elastic cables lose {} and {} {}.",
+                                                  part(ledger.dissipated, errors.dissipated),
+                                                  ledger.stored < 0.0 ? "give back" : "store",
+                                                  part(std::abs(ledger.stored), errors.stored))
+                                    : "";
     return fmt::format(
-        "Kinetic energy: {} at the start, {} at the end. Gravity, forces, drag and what moves ends "
-        "and lengths give {}; impacts take {}.",
-        part(ledger.start, std::max(0.0, errors.start)), part(ledger.end, errors.end),
-        part(ledger.work, errors.work), part(lost, error));
+               "Kinetic energy: {} at the start, {} at the end. Gravity, forces, drag and what "
+               "moves ends "
+               "and lengths give {}; impacts take {}.",
+               part(ledger.start, std::max(0.0, errors.start)), part(ledger.end, errors.end),
+               part(ledger.work, errors.work), part(lost, error)) +
+           elastic;
   }
 
   [[nodiscard]] std::string sureness() const {
@@ -252,6 +260,47 @@ class Sentences {
 template <int D>
 std::string system_text(const BasicCheckedMotion<D>& motion) {
   return Sentences<D>(motion).text();
+}
+
+template <int D>
+std::string contacts_text(const BasicCheckedMotion<D>& motion, bool all,
+                          const TerminalStyle& style) {
+  const std::vector<CheckedContact> contacts = motion.contacts();
+  const std::size_t shown = all ? contacts.size() : std::min(contacts.size(), most_events);
+  if (shown == 0) {
+    return "";
+  }
+  Table table({ranked("contact at", 0), ranked("cable", 0), ranked("until", 0),
+               ranked("speed in", 0), ranked("speed out", 1), ranked("peak", 0),
+               ranked("peak at", 1), ranked("stretch", 1), ranked("impulse", 0)});
+  const auto time = [](double value, double error) {
+    return right_fixed(value, std::max(error, 0.0), summary_time_digits);
+  };
+  const auto number = [](double value, double error) {
+    return right_general(value, std::max(error, 0.0), summary_digits);
+  };
+  for (std::size_t index = 0; index < shown; ++index) {
+    const auto& [contact, errors] = contacts[index];
+    if (errors.entry < 0.0 && motion.is_checked()) {
+      table.add(std::vector<std::string>{dash, "beyond the horizon: one of many motions"});
+      break;
+    }
+    std::vector<std::string> cells = {
+        time(contact.entry, errors.entry),
+        std::to_string(contact.cable),
+        contact.exit ? time(*contact.exit, *errors.exit) : dash,
+        number(contact.entry_speed, errors.entry_speed),
+        contact.exit ? number(contact.exit_speed, errors.exit_speed) : dash,
+        number(contact.peak, errors.peak),
+        time(contact.peak_time, errors.peak_time),
+        number(contact.greatest_stretch, errors.greatest_stretch),
+        number(contact.impulse, errors.impulse)};
+    table.add(std::move(cells));
+  }
+  const std::string rest = shown < contacts.size() ? fmt::format("and {} more: --events prints all",
+                                                                 contacts.size() - shown)
+                                                   : "";
+  return "\n" + table.plain(style) + wrapped(rest, style.text);
 }
 
 template <int D>
@@ -312,10 +361,12 @@ std::string samples_text(const BasicCheckedMotion<D>& motion, const std::vector<
 }
 
 template std::string system_text(const BasicCheckedMotion<2>&);
+template std::string contacts_text(const BasicCheckedMotion<2>&, bool, const TerminalStyle&);
 template std::string events_text(const BasicCheckedMotion<2>&, bool, const TerminalStyle&);
 template std::string samples_text(const BasicCheckedMotion<2>&, const std::vector<double>&,
                                   const TerminalStyle&);
 template std::string system_text(const BasicCheckedMotion<3>&);
+template std::string contacts_text(const BasicCheckedMotion<3>&, bool, const TerminalStyle&);
 template std::string events_text(const BasicCheckedMotion<3>&, bool, const TerminalStyle&);
 template std::string samples_text(const BasicCheckedMotion<3>&, const std::vector<double>&,
                                   const TerminalStyle&);

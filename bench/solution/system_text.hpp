@@ -14,6 +14,11 @@ namespace tautline::bench {
 template <int D>
 [[nodiscard]] std::string system_text(const BasicCheckedMotion<D>& motion);
 
+/// The first contacts of elastic cables, or all, after an empty line; "" without one.
+template <int D>
+[[nodiscard]] std::string contacts_text(const BasicCheckedMotion<D>& motion, bool all,
+                                        const TerminalStyle& style);
+
 /// The first events, or all, after an empty line; "" without one.
 template <int D>
 [[nodiscard]] std::string events_text(const BasicCheckedMotion<D>& motion, bool all,

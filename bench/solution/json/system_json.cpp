@@ -109,36 +109,69 @@ void fields(Visitor& visit, SystemSample<D>& sample) {
         "on");
 }
 
-template <class Visitor>
-void ledger_fields(Visitor& visit, SystemLedger& ledger) {
-  visit("start", ledger.start, "kinetic [J]");
-  visit("work", ledger.work,
+template <class Visitor, class Row>
+void ledger_fields(Visitor& visit, Row& row) {
+  visit("start", row.ledger.start, "kinetic [J]");
+  visit("work", row.ledger.work,
         "of gravity, forces, moments and drag, and of what moves ends and lengths [J]");
-  visit("impacts", ledger.impacts, "lost in impacts [J]");
-  visit("completions", ledger.completions, "lost in the completed accumulations [J]");
-  visit("end", ledger.end, "kinetic [J]");
+  visit("impacts", row.ledger.impacts, "lost in impacts [J]");
+  visit("completions", row.ledger.completions, "lost in the completed accumulations [J]");
+  visit.if_any("stored", row.stored,
+               "in elastic cables at the end, less what it is at the start [J]");
+  visit.if_any("dissipated", row.dissipated, "lost in elastic cables [J]");
+  visit("end", row.ledger.end, "kinetic [J]");
 }
 
 struct LedgerErrors {
   SystemLedger ledger{};
+  std::optional<double> stored = {};
+  std::optional<double> dissipated = {};
 };
 
 template <class Visitor>
 void fields(Visitor& visit, LedgerErrors& errors) {
-  ledger_fields(visit, errors.ledger);
+  ledger_fields(visit, errors);
 }
 
 struct SystemLedgerRow {
   SystemLedger ledger{};
-  std::optional<LedgerErrors> errors;
+  std::optional<double> stored = {};
+  std::optional<double> dissipated = {};
+  std::optional<LedgerErrors> errors = {};
 };
 
 template <class Visitor>
 void fields(Visitor& visit, SystemLedgerRow& row) {
-  ledger_fields(visit, row.ledger);
-  visit("residual", row.ledger.residual, "of rounding: end - start - work + what is lost [J]");
+  ledger_fields(visit, row);
+  visit("residual", row.ledger.residual,
+        "of rounding: end - start - work + what is lost or stored [J]");
   visit("range", row.ledger.range, "the largest kinetic energy, or sum of works, on the way [J]");
   visit("errors", row.errors, "null where the solutions part");
+}
+
+struct ContactRow {
+  std::int32_t cable = 0;
+  Bounded entry;
+  std::optional<Bounded> exit;
+  Bounded entry_speed;
+  std::optional<Bounded> exit_speed;
+  Bounded peak;
+  Bounded peak_time;
+  Bounded greatest_stretch;
+  Bounded impulse;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, ContactRow& contact) {
+  visit("cable", contact.cable, at_least(0));
+  visit("entry", contact.entry, "when it begins to pull [s]");
+  visit("exit", contact.exit, "when it pulls no more [s]; null: it pulls at the end");
+  visit("entry_speed", contact.entry_speed, "at which it is stretched at the entry [m/s]");
+  visit("exit_speed", contact.exit_speed, "at which it shrinks at the exit [m/s]");
+  visit("peak", contact.peak, "the largest tension [N]");
+  visit("peak_time", contact.peak_time, "[s]");
+  visit("greatest_stretch", contact.greatest_stretch, "[m]");
+  visit("impulse", contact.impulse, "of its tension [N s]");
 }
 
 struct BoundedPeak {
@@ -233,6 +266,7 @@ struct SystemSolutionRow {
   SystemLedgerRow energy;
   SystemSettlingRow settling;
   std::vector<AccumulationRow> accumulations;
+  std::optional<std::vector<ContactRow>> contacts;
   std::optional<std::vector<SystemSample<D>>> samples;
 };
 
@@ -254,6 +288,7 @@ void fields(Visitor& visit, SystemSolutionRow<D>& solution) {
   visit("energy", solution.energy);
   visit("settling", solution.settling);
   visit("accumulations", solution.accumulations);
+  visit.if_any("contacts", solution.contacts, "of the elastic cables, by rising entry");
   visit.if_any("samples", solution.samples, "at the times asked for");
 }
 
@@ -350,6 +385,26 @@ static SystemSettlingRow settling_row(const BasicCheckedMotion<D>& motion) {
 }
 
 template <int D>
+static std::vector<ContactRow> contact_rows(const BasicCheckedMotion<D>& motion) {
+  std::vector<ContactRow> rows;
+  for (const auto& [contact, errors] : motion.contacts()) {
+    ContactRow& row = rows.emplace_back();
+    row.cable = static_cast<std::int32_t>(contact.cable);
+    row.entry = {contact.entry, errors.entry};
+    row.entry_speed = {contact.entry_speed, errors.entry_speed};
+    if (contact.exit) {
+      row.exit = {*contact.exit, *errors.exit};
+      row.exit_speed = {contact.exit_speed, errors.exit_speed};
+    }
+    row.peak = {contact.peak, errors.peak};
+    row.peak_time = {contact.peak_time, errors.peak_time};
+    row.greatest_stretch = {contact.greatest_stretch, errors.greatest_stretch};
+    row.impulse = {contact.impulse, errors.impulse};
+  }
+  return rows;
+}
+
+template <int D>
 static SystemSample<D> sample_at(const BasicCheckedMotion<D>& motion, double time) {
   const std::vector<Bounded> numbers = motion.at(time);
   SystemSample<D> sample = {
@@ -384,8 +439,18 @@ std::string solution_json(const BasicCheckedMotion<D>& motion, const SolveOption
   row.end_time = end;
   row.end_state = part_of(motion, motion.at(end), &Bounded::value).state;
   row.energy.ledger = motion.ledger();
+  const bool is_elastic = has_elastic_cables(motion.system());
+  if (is_elastic) {
+    row.energy.stored = motion.ledger().stored;
+    row.energy.dissipated = motion.ledger().dissipated;
+    row.contacts = contact_rows(motion);
+  }
   if (const SystemLedger errors = motion.ledger_errors(); errors.end >= 0.0) {
     row.energy.errors = LedgerErrors{errors};
+    if (is_elastic) {
+      row.energy.errors->stored = errors.stored;
+      row.energy.errors->dissipated = errors.dissipated;
+    }
   }
   row.settling = settling_row(motion);
   for (std::size_t index = 0; index < solution.accumulations().size(); ++index) {

@@ -1,0 +1,87 @@
+// What `tautline solve` says of elastic cables.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bench/solution/json/solution_json.hpp"
+#include "bench/solution/system_text.hpp"
+#include "tautline/case_text.hpp"
+#include "tautline/scenarios.hpp"
+
+namespace tautline::bench {
+namespace {
+
+/// A mass of 1 kg that falls at 1 m/s when its cable becomes stretched.
+System falling_mass() {
+  const SystemReading reading = read_system_text(
+      "name = \"drop\"\nduration = 0.2\ngravity = [0.0, -9.81]\n[[bodies]]\nmass = 1.0\n"
+      "position = [0.0, -1.0]\nvelocity = [0.0, -1.0]\n[[cables]]\nfrom = { body = \"body\" }\n"
+      "to = [0.0, 0.0]\nlength = 1.0\nstiffness = 1e4\ndamping_ratio = 0.1\n",
+      "drop.toml");
+  EXPECT_EQ(reading.problems, std::vector<std::string>());
+  return reading.system.value_or(System());
+}
+
+/// Rounding of a length is eps L against a stretch of v / w = L / 100: a relative error of 1e-14.
+constexpr double of_rounding = 1e-13;
+
+// the closed forms of one contact under a load, in 20 digits
+TEST(ElasticMotion, HasTheContactsOfTheClosedFormsAndTheirErrors) {
+  const CheckedMotion motion(falling_mass(), {});
+  const std::vector<CheckedContact> contacts = motion.contacts();
+  ASSERT_GE(contacts.size(), 2U);
+  const auto& [contact, errors] = contacts.front();
+  const auto expect = [](double value, double error, double exact) {
+    EXPECT_NEAR(value, exact, of_rounding * exact);
+    EXPECT_GE(error, 0.0);
+    EXPECT_LE(error, of_rounding * exact);
+  };
+  ASSERT_TRUE(contact.exit);
+  EXPECT_EQ(contact.entry, 0.0);
+  expect(*contact.exit, *errors.exit, .03190896504687642834);
+  expect(contact.exit_speed, errors.exit_speed, .72636100244201973040);
+  expect(contact.peak, errors.peak, 96.522859850036329926);
+  expect(contact.peak_time, errors.peak_time, .01375446426663969516);
+  expect(contact.impulse, errors.impulse, 2.03938794953005506607);
+  const CheckedMotion unchecked(falling_mass(), {}, 0);
+  ASSERT_EQ(unchecked.contacts().size(), contacts.size());
+  EXPECT_LT(unchecked.contacts().front().errors.peak, 0.0);
+  EXPECT_EQ(unchecked.contacts().front().contact.peak, contact.peak);
+}
+
+TEST(ElasticMotion, HasItsContactsInJsonAndOthersHaveNone) {
+  const CheckedMotion motion(falling_mass(), {});
+  const auto json = nlohmann::json::parse(solution_json(motion, {}, {}));
+  const auto contacts = motion.contacts();
+  ASSERT_EQ(json.at("contacts").size(), contacts.size());
+  const auto& first = json.at("contacts").front();
+  EXPECT_EQ(first.at("cable"), 0);
+  EXPECT_EQ(json.at("events").front().at("kind"), "entry");
+  const std::string schema = solution_schema_json();
+  for (const char* const word : {"\"entry\"", "\"exit\"", "\"contacts\"", "\"dissipated\""}) {
+    EXPECT_NE(schema.find(word), std::string::npos) << word;
+  }
+  EXPECT_EQ(first.at("peak").at("value"), contacts.front().contact.peak);
+  EXPECT_EQ(first.at("impulse").at("error"), contacts.front().errors.impulse);
+  EXPECT_EQ(json.at("energy").at("dissipated"), motion.ledger().dissipated);
+  EXPECT_GT(motion.ledger().dissipated, 0.0);
+  const CheckedMotion other(shipped_systems().front().system, {}, 0);
+  const auto inextensible = nlohmann::json::parse(solution_json(other, {}, {}));
+  EXPECT_FALSE(inextensible.contains("contacts"));
+  EXPECT_FALSE(inextensible.at("energy").contains("stored"));
+}
+
+TEST(ElasticMotion, ListsItsContacts) {
+  const CheckedMotion motion(falling_mass(), {});
+  const std::string text = contacts_text(motion, true, {});
+  EXPECT_NE(text.find("0.031909"), std::string::npos) << text;
+  EXPECT_NE(text.find("96.5229"), std::string::npos) << text;
+  EXPECT_NE(system_text(motion).find("Elastic cables lose "), std::string::npos);
+  const CheckedMotion other(shipped_systems().front().system, {}, 0);
+  EXPECT_EQ(contacts_text(other, true, {}), "");
+  EXPECT_EQ(system_text(other).find("Elastic"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tautline::bench

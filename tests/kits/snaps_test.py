@@ -11,7 +11,7 @@ VECTORS = ROOT / "tests/vectors"
 PAGE = (ROOT / "docs/snap.md").read_text(encoding="utf-8")
 SNAPS = json.loads((VECTORS / "snaps.json").read_text(encoding="utf-8"))
 CLOSE = 1e-12  # [-]: a stretch is the difference of lengths that are 100 and more times as large
-HALVINGS = 200
+HALVINGS = 100
 
 
 def zero(function, low, high):

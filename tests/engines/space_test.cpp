@@ -483,17 +483,21 @@ TEST_P(EngineInSpace, HoldsALoadBelowALightBody) {
   block.body = 0;
   hang(system, 100.0, Point(0.0, 0.0, -1.98), block);
   constexpr double step = 1e-3;
-  constexpr double of_catch = 2e-3;          // [m]: 0.44 m/s for four steps, two of each cable
-  constexpr double of_impact = 1e-3;         // [m]: 0.44 m/s for two steps
-  constexpr double of_50_iterations = 0.02;  // [m]: Bullet's rows pass a push on one by one
+  constexpr double of_catch = 2e-3;       // [m]: 0.44 m/s for four steps, two of each cable
+  constexpr double of_joint = 4e-3;       // [m]: PhysX's own takes twice as many; measured 2.8e-3
+  constexpr double of_impact = 1e-3;      // [m]: 0.44 m/s for two steps
+  constexpr double of_iterations = 0.02;  // [m]: 50 or 60 pass a push on from row to row
   for (const std::string& model : models()) {
     // as shipped PhysX's joint is 25 mm longer, and MuJoCo's limit a soft spring
     const Started run = model.ends_with("-defaults") ? nullptr : start(system, model, step);
     if (!run) {
       continue;
     }
-    const bool iterates =
-        GetParam().engine.starts_with("bullet") && (model == "row" || model == "early");
+    const bool iterates = model == "plain" || (GetParam().engine.starts_with("bullet") &&
+                                               (model == "row" || model == "early"));
+    const double caught = iterates                               ? of_iterations
+                          : is_a_joint_on_npm(GetParam(), model) ? of_joint
+                                                                 : of_catch;
     double worst = 0.0;  // [m]
     for (int index = 0; index < 300; ++index) {
       run->step(step);
@@ -501,9 +505,9 @@ TEST_P(EngineInSpace, HoldsALoadBelowALightBody) {
         worst = std::min(worst, gap(cable, run->state()));
       }
     }
-    EXPECT_GT(worst, iterates ? -of_50_iterations : -of_catch) << model;
+    EXPECT_GT(worst, -caught) << model;
     for (const SpatialCable& cable : system.cables) {
-      EXPECT_GT(gap(cable, run->state()), iterates ? -of_50_iterations : -of_impact) << model;
+      EXPECT_GT(gap(cable, run->state()), iterates ? -of_iterations : -of_impact) << model;
     }
   }
 }

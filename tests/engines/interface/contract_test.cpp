@@ -44,7 +44,8 @@ constexpr std::string_view moving_anchor_claim = "moving-anchor";
 
 /// Models whose cables in space end at points that stay where they are.
 bool knows_no_moving_anchor(std::string_view engine_name, std::string_view model) {
-  return engine_name == "siconos" || (engine_name == "simbody" && model == "rope");
+  return engine_name == "siconos" ||
+         (engine_name == "simbody" && (model == "rope" || model == "event-handler"));
 }
 
 /// Whether the model `name` refuses the systems of `claim`. A model that says it runs systems in

@@ -104,7 +104,9 @@ std::vector<BasicElasticContact<Real>> elastic_contacts(
   const auto close = [&](CableSet cables, const Real& time) {
     for (const std::size_t index : cables) {
       result[last[index]].exit = time;
-      result[last[index]].exit_speed = gap_rate(system.cables[index], end);
+      BasicCableOfSystem<Real, D> cable = system.cables[index];
+      cable.cut_at.reset();  // a cut ends a contact, too
+      result[last[index]].exit_speed = gap_rate(cable, end);
     }
     open = open - cables;
   };

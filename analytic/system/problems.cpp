@@ -238,7 +238,12 @@ class SystemChecker {
     const double above = std::max(1.0, ratio);  // from where on the damper is the faster of both
     const double fastest = frequency * (above + std::sqrt(above * above - 1.0));
     const double most = most_radians / system_.duration;
-    if (fastest > most) {
+    if (fastest > most && law.damping > 0.0 && ratio > 1.0) {
+      wrong_.add(cable_name(index) + ": the rate of its damper, " + text(fastest) +
+                 " rad/s, must be at most " + text(most) + " rad/s for a duration of " +
+                 text(system_.duration) + " s: lower its damping to " + text(most / response) +
+                 " N s/m");
+    } else if (fastest > most) {
       const double share = most / fastest;
       wrong_.add(cable_name(index) + ": its frequency, " + text(fastest) +
                  " rad/s, must be at most " + text(most) + " rad/s for a duration of " +

@@ -69,7 +69,7 @@ inline std::optional<Elasticity> read_elasticity(StrictTable& table) {
     return std::nullopt;
   }
   refuse_second_damping(table);
-  const Range with_loss = {"in (0, 1], for no damping takes all speed", 1.0, 0.0, 1.0, true};
+  const Range with_loss = {"in [1e-40, 1], for no damping takes all speed", 1e-40, 1e-40, 1.0};
   if (const auto share = table.optional_number({"restitution", ""}, with_loss, "")) {
     law.damping_ratio = damping_ratio_of(*share);
   }

@@ -367,22 +367,27 @@ std::vector<CheckedContact> BasicCheckedMotion<D>::contacts() const {
     others = elastic_contacts(in_digits_->solution);
   }
   std::vector<CheckedContact> result;
+  std::vector<std::size_t> next(system_.cables.size());  // of the other contacts of each cable
   for (const Mine& mine : elastic_contacts(solution_)) {
-    const double last = mine.exit.value_or(solution_.end_time());
-    const std::size_t place = result.size();
-    const bool same = place < others.size() && others[place].cable == mine.cable &&
-                      !(horizon_ && last >= *horizon_);
-    Mine errors{.cable = mine.cable};
-    errors.exit = same ? off_by(mine.exit, others[place].exit) : -1.0;
-    for (const auto& [member, other] :
-         {std::pair(&Mine::entry, &Other::entry),
-          std::pair(&Mine::entry_speed, &Other::entry_speed),
-          std::pair(&Mine::exit_speed, &Other::exit_speed), std::pair(&Mine::peak, &Other::peak),
-          std::pair(&Mine::peak_time, &Other::peak_time),
-          std::pair(&Mine::greatest_stretch, &Other::greatest_stretch),
-          std::pair(&Mine::impulse, &Other::impulse)}) {
-      errors.*member = same ? off_by(mine.*member, others[place].*other) : -1.0;
+    // two cables may engage at one instant, in either order
+    std::size_t& place = next[mine.cable];
+    while (place < others.size() && others[place].cable != mine.cable) {
+      ++place;
     }
+    const Other* const same = place < others.size() ? &others[place++] : nullptr;
+    Mine errors{.cable = mine.cable};
+    const auto compare = [&](double until, const auto&... members) {
+      const bool sure = same != nullptr && !(horizon_ && until > *horizon_);
+      ((errors.*members.first = sure ? off_by(mine.*members.first, same->*members.second) : -1.0),
+       ...);
+    };
+    compare(mine.entry, std::pair(&Mine::entry, &Other::entry),
+            std::pair(&Mine::entry_speed, &Other::entry_speed));
+    compare(mine.exit.value_or(solution_.end_time()), std::pair(&Mine::exit, &Other::exit),
+            std::pair(&Mine::exit_speed, &Other::exit_speed), std::pair(&Mine::peak, &Other::peak),
+            std::pair(&Mine::peak_time, &Other::peak_time),
+            std::pair(&Mine::greatest_stretch, &Other::greatest_stretch),
+            std::pair(&Mine::impulse, &Other::impulse));
     result.push_back({mine, errors});
   }
   return result;

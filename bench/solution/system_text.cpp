@@ -33,7 +33,7 @@ class Sentences {
       : motion_(motion), settling_(motion.settling()), errors_(motion.settling_errors()) {}
 
   [[nodiscard]] std::string text() const {
-    std::string result = ending() + "\n";
+    std::string result = stretched_starts() + ending() + "\n";
     if (!motion_.solution().events().empty()) {
       result += last_impacts() + "\n";
     }
@@ -71,6 +71,20 @@ class Sentences {
   [[nodiscard]] std::string when(double value, double error) const {
     constexpr double too_wide = 1e-3;  // [-], of the run
     return error > too_wide * motion_.solution().end_time() ? "" : " at " + time(value, error);
+  }
+
+  /// Which elastic cables are stretched at the start.
+  [[nodiscard]] std::string stretched_starts() const {
+    const auto& system = motion_.system();
+    std::string result;
+    for (std::size_t i = 0; i < system.cables.size(); ++i) {
+      const auto& cable = system.cables[i];
+      if (cable.elasticity && cable.acts_at(0.0) && gap(cable, system.initial) < 0.0) {
+        result += fmt::format("Cable {} starts stretched by {:.{}g}.\n", i,
+                              -gap(cable, system.initial), summary_digits);
+      }
+    }
+    return result;
   }
 
   [[nodiscard]] std::string ending() const {
@@ -227,8 +241,7 @@ class Sentences {
                                     : "";
     return fmt::format(
                "Kinetic energy: {} at the start, {} at the end. Gravity, forces, drag and what "
-               "moves ends "
-               "and lengths give {}; impacts take {}.",
+               "moves ends and lengths give {}; impacts take {}.",
                part(ledger.start, std::max(0.0, errors.start)), part(ledger.end, errors.end),
                part(ledger.work, errors.work), part(lost, error)) +
            elastic;
@@ -273,15 +286,19 @@ std::string contacts_text(const BasicCheckedMotion<D>& motion, bool all,
   Table table({ranked("contact at", 0), ranked("cable", 0), ranked("until", 0),
                ranked("speed in", 0), ranked("speed out", 1), ranked("peak", 0),
                ranked("peak at", 1), ranked("stretch", 1), ranked("impulse", 0)});
-  const auto time = [](double value, double error) {
-    return right_fixed(value, std::max(error, 0.0), summary_time_digits);
+  const auto time = [&](double value, double error) {
+    return error < 0.0 && motion.is_checked()
+               ? dash
+               : right_fixed(value, std::max(error, 0.0), summary_time_digits);
   };
-  const auto number = [](double value, double error) {
-    return right_general(value, std::max(error, 0.0), summary_digits);
+  const auto number = [&](double value, double error) {
+    return error < 0.0 && motion.is_checked()
+               ? dash
+               : right_general(value, std::max(error, 0.0), summary_digits);
   };
   for (std::size_t index = 0; index < shown; ++index) {
     const auto& [contact, errors] = contacts[index];
-    if (errors.entry < 0.0 && motion.is_checked()) {
+    if (motion.horizon() && contact.entry > *motion.horizon()) {
       table.add(std::vector<std::string>{dash, "beyond the horizon: one of many motions"});
       break;
     }

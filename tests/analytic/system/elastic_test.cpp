@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "support.hpp"
@@ -440,12 +441,40 @@ TEST(ElasticCable, PullsInTheTensionsOfItsSolution) {
   EXPECT_EQ(solution.tensions(*found[0].exit + 1e-6)[0], 0.0);
 }
 
+TEST(ElasticCable, EndsAContactWhereItIsCut) {
+  System system = drop<double>(with_ratio(100.0, 0.1), 9.81, 1.0, 0.0);
+  system.cables[0].cut_at = 0.1;  // before the greatest stretch
+  const auto solution = solve(system);
+  const auto found = elastic_contacts(solution);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].exit, 0.1);
+  const double rising = solution.at(0.1).bodies[0].velocity.y();
+  EXPECT_LT(rising, 0.0);
+  EXPECT_NEAR(found[0].exit_speed, rising, 1e-14);
+}
+
 /// Expects one sentence that has `words`.
 void expect_problem(const System& system, const std::string& words) {
   const auto found = problems(system);
   ASSERT_EQ(found.size(), 1U) << words;
   EXPECT_NE(found[0].find(words), std::string::npos) << found[0];
   EXPECT_THROW((void)solve(system), std::invalid_argument);
+}
+
+TEST(ElasticCable, SaysHowToSlowAStiffCableOrADamper) {
+  System stiff = drop<double>(with_ratio(1e15, 0.1), 9.81, 1.0, 0.1);
+  System damped = drop<double>(with_damping(1.0, 1e9), 9.81, 1.0, 0.1);
+  for (const auto& [system, advice, number] :
+       {std::tuple(&stiff, "or lower its stiffness to ",
+                   &stiff.cables[0].elasticity->stiffness.front()),
+        std::tuple(&damped, "lower its damping to ", &damped.cables[0].elasticity->damping)}) {
+    const auto found = problems(*system);
+    ASSERT_EQ(found.size(), 1U);
+    const std::size_t place = found[0].find(advice);
+    ASSERT_NE(place, std::string::npos) << found[0];
+    *number = 0.999 * std::stod(found[0].substr(place + std::string(advice).size()));
+    EXPECT_TRUE(problems(*system).empty()) << problems(*system).front();
+  }
 }
 
 TEST(ElasticCable, HasOneSentenceForEachProblem) {

@@ -98,9 +98,9 @@ TEST(ElasticFile, AMistakeGivesOneSentence) {
       {"stiffness = 5.0\nrestitution = 0.9\ndamping = 0.1",
        "14: cables[0].restitution = 0.9: is there with damping" + one},
       {"stiffness = 5.0\nrestitution = 0.0",
-       "14: cables[0].restitution = 0: must be in (0, 1], for no damping takes all speed"},
+       "14: cables[0].restitution = 0: must be in [1e-40, 1], for no damping takes all speed"},
       {"stiffness = 5.0\nrestitution = 1.5",
-       "14: cables[0].restitution = 1.5: must be in (0, 1], for no damping takes all speed"},
+       "14: cables[0].restitution = 1.5: must be in [1e-40, 1], for no damping takes all speed"},
       {"stiffness = 5.0\ncapture_speed = 0.1",
        "14: cables[0].capture_speed = 0.1: is for an inextensible cable, must be left out with "
        "stiffness"},

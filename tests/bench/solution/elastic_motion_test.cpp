@@ -72,6 +72,52 @@ TEST(ElasticMotion, HasItsContactsInJsonAndOthersHaveNone) {
   EXPECT_FALSE(inextensible.at("energy").contains("stored"));
 }
 
+/// A load that hangs on a cable for ever, and one that two equal cables throw about.
+constexpr const char* hanging_and_thrown = R"(
+name = "hanging and thrown"
+duration = 1.5
+gravity = [0.0, -9.81]
+bodies = [{ name = "hanging", mass = 1.0, position = [0.0, -1.0] },
+          { name = "thrown", mass = 1.0, position = [9.0, -0.5] }]
+[[cables]]
+from = { body = "hanging" }
+to = [0.0, 0.0]
+length = 1.0
+stiffness = 100.0
+damping = 1.0
+[[cables]]
+from = { body = "thrown" }
+to = [9.7, 0.1]
+length = 1.1
+stiffness = 1000.0
+damping_ratio = 0.05
+[[cables]]
+from = { body = "thrown" }
+to = [8.3, 0.1]
+length = 1.1
+stiffness = 1000.0
+damping_ratio = 0.05
+)";
+
+TEST(ElasticMotion, KnowsEachNumberUpToTheHorizon) {
+  const SystemReading reading = read_system_text(hanging_and_thrown, "hanging.toml");
+  ASSERT_TRUE(reading.system);
+  const CheckedMotion motion(*reading.system, {});
+  const auto contacts = motion.contacts();
+  ASSERT_GE(contacts.size(), 3U);
+  const double horizon = motion.horizon().value_or(reading.system->duration);
+  for (const auto& [contact, errors] : contacts) {
+    EXPECT_EQ(errors.entry >= 0.0, contact.entry <= horizon) << contact.entry;
+    const double known = contact.exit.value_or(reading.system->duration);
+    EXPECT_EQ(errors.peak >= 0.0, known <= horizon) << contact.entry;
+  }
+  // the cable that hangs on hides no contact of another
+  const std::string text = contacts_text(motion, true, {});
+  EXPECT_NE(text.find("\n  0.000000      0 "), std::string::npos) << text;
+  EXPECT_NE(text.find("      1 "), std::string::npos) << text;
+  EXPECT_NE(text.find("      2 "), std::string::npos) << text;
+}
+
 TEST(ElasticMotion, ListsItsContacts) {
   const CheckedMotion motion(falling_mass(), {});
   const std::string text = contacts_text(motion, true, {});

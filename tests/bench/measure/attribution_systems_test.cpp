@@ -68,7 +68,8 @@ TEST(AttributionOfSystems, NamesARotationWithoutTheGyroscopicTerm) {
       [&](SystemScheme& scheme, double) { fault.keep(scheme); });
   EXPECT_GT(share(found, Cause::rotation_in_flight), 0.5) << described(found);
   const Attribution plain = attributed(shipped("tumbling-brick"));
-  EXPECT_LT(plain.deviation, 0.1 * found.deviation) << described(plain);
+  constexpr double of_late_impacts = 0.2;  // [-]: the plain scheme is off by these alone
+  EXPECT_LT(plain.deviation, of_late_impacts * found.deviation) << described(plain);
   EXPECT_LT(part(plain, Cause::rotation_in_flight), 0.1 * part(found, Cause::rotation_in_flight));
 }
 

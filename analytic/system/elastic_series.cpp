@@ -94,11 +94,12 @@ Real SystemSeries<Real, D>::tension_scale(const StretchSeries& one, const Real& 
              cables_[one.index].length[0];
 }
 
-using Series = SystemSeries<Instance, instance_dimension>;
-template void Series::find_stretched(const StateOf<InstanceCase>&);
-template void Series::strain(StretchSeries&, std::size_t);
-template void Series::pull(const StretchSeries&, std::size_t);
-template void Series::expand_stretched(StretchSeries&);
-template Instance Series::tension_scale(const StretchSeries&, const Instance&) const;
+template void SystemSeries<Instance, instance_dimension>::find_stretched(
+    const StateOf<InstanceCase>&);
+template void SystemSeries<Instance, instance_dimension>::strain(StretchSeries&, std::size_t);
+template void SystemSeries<Instance, instance_dimension>::pull(const StretchSeries&, std::size_t);
+template void SystemSeries<Instance, instance_dimension>::expand_stretched(StretchSeries&);
+template Instance SystemSeries<Instance, instance_dimension>::tension_scale(const StretchSeries&,
+                                                                            const Instance&) const;
 
 }  // namespace tautline

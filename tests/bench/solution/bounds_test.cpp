@@ -28,7 +28,7 @@ constexpr std::uint64_t seed = 14;
 
 /// A body on one long cable that it meets nearly along an axis: the gap is a difference of numbers
 /// that are large against the body's way.
-Case long_cable(test::Random& random) {
+Case long_cable(tautline::test::Random& random) {
   Case result;
   const double far = std::pow(10.0, random.uniform(0.5, 3.5));  // [m]
   const double aside = far * std::pow(10.0, random.uniform(-6.0, -1.0));
@@ -56,7 +56,7 @@ Case long_cable(test::Random& random) {
 }
 
 TEST(Bounds, TheFirstImpactOnALongCableAlongAnAxisIsWithinItsBounds) {
-  test::Random random(seed);
+  tautline::test::Random random(seed);
   double worst = 0.0;  // error, as a part of its bound
   const int count = 200;
   for (int system = 0; system < count; ++system) {
@@ -98,12 +98,12 @@ TEST(Bounds, ANumberWithoutARightDigitIsSaidInWords) {
 
 // a sentence must not end with "0 at the start, - at the end"
 TEST(Bounds, NoSentenceHasADashForAValue) {
-  test::Random random(seed);
+  tautline::test::Random random(seed);
   std::vector<Case> cases = shipped_cases();
   for (int system = 0; system < 60; ++system) {
-    test::Draw draw;
+    tautline::test::Draw draw;
     draw.cables = 1 + static_cast<std::size_t>(system % 3);
-    cases.push_back(test::random_case(random, draw));
+    cases.push_back(tautline::test::random_case(random, draw));
   }
   Case still;  // at the height where its energy is 0
   still.gravity = {0.0, -9.81};

@@ -116,16 +116,16 @@ void count_digits(const Case& the_case, DigitCount& count) {
 constexpr std::uint64_t digit_seed = 14;
 
 /// The next of the random systems, of which `system` have been drawn.
-Case next_case(test::Random& random, int system) {
-  test::Draw draw;
+Case next_case(tautline::test::Random& random, int system) {
+  tautline::test::Draw draw;
   draw.cables = 1 + static_cast<std::size_t>(system % 3);
-  Case the_case = test::random_case(random, draw);
+  Case the_case = tautline::test::random_case(random, draw);
   the_case.name = "system " + std::to_string(system) + " of seed " + std::to_string(digit_seed);
   return the_case;
 }
 
 TEST(Digits, NoneIsWrongAndFourOfFiveRightOnesArePrinted) {
-  test::Random random(digit_seed);
+  tautline::test::Random random(digit_seed);
   DigitCount count;
   for (int system = 0; system < systems(); ++system) {
     count_digits(next_case(random, system), count);
@@ -139,7 +139,7 @@ TEST(Digits, NoneIsWrongAndFourOfFiveRightOnesArePrinted) {
 // Two cables hit in turn at intervals that fall as squares, below what a double tells apart, while
 // the impulses fall by a sixth: doubles resolve what is left at once, and so do all neighbours.
 TEST(Digits, WhereRoundingMergesImpactsNeighboursDoNotMakeThemSure) {
-  test::Random random(digit_seed);
+  tautline::test::Random random(digit_seed);
   DigitCount count;
   for (int system = 0; system <= 1481; ++system) {
     const Case the_case = next_case(random, system);
@@ -297,7 +297,7 @@ TEST(Digits, ASwingFromTheStartHasItsPeriod) {
 TEST(Digits, ASwingThatComesAgainForLongStaysWithinItsBounds) {
   std::vector<Case> swings = {exact_pendulum(true), exact_pendulum(false)};
   for (const char* const number : {"1510121100", "1710121100"}) {
-    swings.push_back(test::table_case(number));
+    swings.push_back(tautline::test::table_case(number));
   }
   for (Case& swing : swings) {
     swing.duration = 1500.0;
@@ -333,12 +333,12 @@ TEST(Digits, ASwingThatComesAgainForLongStaysWithinItsBounds) {
 
 // each start one rounding from the case's may be the one that the decimals mean
 TEST(Digits, LocksOfStartsARoundingApartLieWithinWhatIsSaidOfEach) {
-  test::Random random(digit_seed);
+  tautline::test::Random random(digit_seed);
   for (const char* const number : {"1910121100", "19101211050", "1910121110"}) {
     std::vector<double> locks;
     std::vector<double> bounds;
     for (int start = 0; start < 100; ++start) {
-      Case the_case = test::table_case(number);
+      Case the_case = tautline::test::table_case(number);
       the_case.initial.position *= 1.0 + std::floor(random.uniform(-1.0, 2.0)) * epsilon<double>();
       the_case.initial.angle *= 1.0 + std::floor(random.uniform(-1.0, 2.0)) * epsilon<double>();
       const Solution solution = solve(the_case);

@@ -60,7 +60,7 @@ struct Bounds {
   }
 };
 
-void compare(const test::HardSystem& system, Bounds& bounds) {
+void compare(const tautline::test::HardSystem& system, Bounds& bounds) {
   SolveOptions options{system.law, {}, most_events, most_steps};
   const Case& the_case = system.the_case;
   const Solution solution = solve(the_case, options);
@@ -99,14 +99,14 @@ void compare(const test::HardSystem& system, Bounds& bounds) {
   }
 }
 
-class HardDigits : public ::testing::TestWithParam<test::HardFamily> {};
+class HardDigits : public ::testing::TestWithParam<tautline::test::HardFamily> {};
 
 TEST_P(HardDigits, AreWithinWhatIsSaidOfThem) {
-  test::Random random(test::hard_seed);
+  tautline::test::Random random(tautline::test::hard_seed);
   Bounds bounds;
   for (int sample = 0; sample < systems_of_a_family(); ++sample) {
     SCOPED_TRACE("sample " + std::to_string(sample));
-    if (const auto system = test::hard_system(random, GetParam(), sample)) {
+    if (const auto system = tautline::test::hard_system(random, GetParam(), sample)) {
       compare(*system, bounds);
     }
   }
@@ -115,7 +115,7 @@ TEST_P(HardDigits, AreWithinWhatIsSaidOfThem) {
   EXPECT_GT(bounds.numbers, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Random, HardDigits, ::testing::ValuesIn(test::hard_families()),
+INSTANTIATE_TEST_SUITE_P(Random, HardDigits, ::testing::ValuesIn(tautline::test::hard_families()),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

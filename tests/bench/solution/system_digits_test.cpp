@@ -178,11 +178,11 @@ void compare_with_truth(const System& system, const std::string& name, PrintedNu
 }
 
 TEST(SystemDigits, NoneIsWrong) {
-  test::Random random(3960);
+  tautline::test::Random random(3960);
   PrintedNumbers count;
   const auto [first, end] = random_systems();
   for (int drawn = 0; drawn < end;) {
-    const System system = test::random_system(random);
+    const System system = tautline::test::random_system(random);
     if (!problems(system).empty() || drawn++ < first) {
       continue;
     }

@@ -159,7 +159,7 @@ TEST(Ties, TheDeadPointOfAParallelogramIsOneForEveryPrecision) {
 }
 
 TEST(Ties, ADeadPointOfATiltedParallelogramIsNotPassedSurely) {
-  test::Random random(tilts);
+  tautline::test::Random random(tilts);
   for (int draw = 0; draw < 40; ++draw) {
     const double tilt = random.uniform(-3.0, 3.0);
     const double speed = random.uniform(1.5, 8.0);

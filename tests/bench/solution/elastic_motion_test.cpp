@@ -40,7 +40,7 @@ TEST(ElasticMotion, HasTheContactsOfTheClosedFormsAndTheirErrors) {
   ASSERT_TRUE(contact.exit);
   EXPECT_EQ(contact.entry, 0.0);
   expect(*contact.exit, *errors.exit, .03190896504687642834);
-  expect(contact.exit_speed, errors.exit_speed, .72636100244201973040);
+  expect(contact.exit_speed, errors.exit_speed, .7263610024201973040);
   expect(contact.peak, errors.peak, 96.522859850036329926);
   expect(contact.peak_time, errors.peak_time, .01375446426663969516);
   expect(contact.impulse, errors.impulse, 2.03938794953005506607);

@@ -141,11 +141,11 @@ TEST_P(ElasticInEngine, SnapsAsTheClosedFormsSayToFirstOrder) {
         const double of_speed = std::abs(found.exit_speed / exact.exit_speed - 1.0);
         const double of_peak = std::abs(found.peak / exact.peak - 1.0);
         const double of_impulse = std::abs(found.impulse / exact.impulse - 1.0);
-        // the errors are less than the frequency times the step; what float leaves of a stretch
-        // of 0.01 m near 1 m is 1e-5 of it
+        // the errors are less than the frequency times the step; in float a step's way near 1 m is
+        // rounded by 2e-3 of it
         const std::string at = model + ", ratio " + std::to_string(ratio) + ", step " +
                                std::to_string(snap_steps[i]) + ": ";
-        const double allowed = snap_frequency * snap_steps[i] + (in_double() ? 0.0 : 5e-3);
+        const double allowed = snap_frequency * snap_steps[i] + (in_double() ? 0.0 : 1e-2);
         expect_within(at + "exit speed off [-]", of_speed, allowed);
         expect_within(at + "peak off [-]", of_peak, allowed);
         expect_within(at + "impulse off [-]", of_impulse, allowed);
@@ -286,7 +286,8 @@ TEST_P(ElasticInEngine, LetsALoadRingWithoutAGain) {
       const double now = std::abs(run->state().bodies[0].velocity.y());
       fastest = k < 19'900 ? 0.0 : std::max(fastest, now);
     }
-    EXPECT_NEAR(fastest / speed, 1.0, part) << model;
+    // in float rounding is a thousandth of the way of a step; a gain would be a factor of e^50
+    EXPECT_NEAR(fastest / speed, 1.0, in_double() ? part : 0.5) << model;
   }
 }
 

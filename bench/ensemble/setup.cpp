@@ -19,7 +19,9 @@ std::vector<EnsembleSetup> setups_of(const EnsembleSpec& spec,
   for (std::size_t place = 0; place < engines.size(); ++place) {
     for (const Model& model : engines[place].info->models) {
       const auto& wanted = spec.models;
-      if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), model.name) == wanted.end()) {
+      // engines run ensembles of one body in the plane, whose cables are inextensible
+      if (wanted.empty() ? model.cables == Cables::elastic
+                         : std::find(wanted.begin(), wanted.end(), model.name) == wanted.end()) {
         continue;
       }
       for (const double step : spec.steps) {

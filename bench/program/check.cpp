@@ -200,7 +200,9 @@ int check_command(const CheckCommand& command) {
   catch_interruption();
   std::vector<CheckedModel> models;
   for (const Model& model : engine.info->models) {
-    if (!command.model.empty() && model.name != command.model) {
+    const bool has_no_claims =
+        model.cables == Cables::elastic;  // they are about inextensible cables
+    if (command.model.empty() ? has_no_claims : model.name != command.model) {
       continue;
     }
     WorkerLimits limits;

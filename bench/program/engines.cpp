@@ -33,17 +33,24 @@ void print_engine(const RegisteredEngine& engine, const TerminalStyle& style) {
              engine.info->precision);
   Table models({"  model", "what it is"}, 2);
   std::vector<std::string> in_space;
+  std::vector<std::string> elastic;
   for (const Model& model : engine.info->models) {
     models.add({"  " + model.name, printable(model.sentence, 1000)});
     if (model.in_space) {
       in_space.push_back(model.name);
     }
+    if (model.cables != Cables::inextensible) {
+      elastic.push_back(model.name);
+    }
   }
-  if (!in_space.empty()) {
-    fmt::print(
-        "{}", wrapped_lines(fmt::format("  also systems in space: {}\n", fmt::join(in_space, ", ")),
-                            style.text, 2));
-  }
+  const auto print_names = [&](const char* what, const std::vector<std::string>& names) {
+    if (!names.empty()) {
+      fmt::print("{}", wrapped_lines(fmt::format("  {}: {}\n", what, fmt::join(names, ", ")),
+                                     style.text, 2));
+    }
+  };
+  print_names("also systems in space", in_space);
+  print_names("systems with elastic cables", elastic);
   const std::string text = models.plain(style);
   fmt::print("{}\n", text.substr(text.find('\n') + 1));  // without the headings
 }

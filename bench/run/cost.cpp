@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "bench/base/process.hpp"
 #include "bench/base/statistics.hpp"
 #include "tautline/detail/flight.hpp"
+#include "tautline/model_table.hpp"
 #include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
@@ -69,13 +69,14 @@ Meter own_meter() { return {thread_time, peak_memory}; }
 
 std::unique_ptr<SystemSimulation> started(const Engine& engine, const SpatialSystem& system,
                                           const std::string& model, const RunSettings& settings) {
-  for (std::size_t index = 0; index < system.cables.size(); ++index) {
-    if (system.cables[index].elasticity) {
-      throw std::invalid_argument("unsupported: engines run inextensible cables alone, and cable " +
-                                  std::to_string(index) +
-                                  " has a stiffness; must have a restitution instead");
-    }
+  const EngineInfo info = engine.info();
+  Model listed;
+  listed.name = model;
+  if (const auto found = std::ranges::find(info.models, model, &Model::name);
+      found != info.models.end()) {
+    listed = *found;
   }
+  check_cables_of(listed, system);
   return engine.start_system(system, model, settings);
 }
 

@@ -49,7 +49,7 @@ template <class TheCase>  // Case or SpatialSystem
                                                          const RunSettings& settings) {
   return engine.start(the_case, model, settings);
 }
-/// Throws std::invalid_argument for a system with an elastic cable, which engines are not told of.
+/// Throws std::invalid_argument if the cables of the system are none that the model says it runs.
 [[nodiscard]] std::unique_ptr<SystemSimulation> started(const Engine& engine,
                                                         const SpatialSystem& system,
                                                         const std::string& model,

@@ -57,6 +57,10 @@ static void from_json(const nlohmann::json& value, Maker& maker) {
   read_word(value, maker, Maker::tautline);
 }
 
+static void from_json(const nlohmann::json& value, Cables& cables) {
+  read_word(value, cables, Cables::any);
+}
+
 static void to_json(nlohmann::json& row, const std::optional<std::vector<Setting>>& some) {
   row = some ? nlohmann::json(*some) : nlohmann::json();
 }
@@ -68,7 +72,7 @@ static void from_json(const nlohmann::json& row, std::optional<std::vector<Setti
 }
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Model, name, sentence, settings, maker, parameters, code,
-                                   in_space)
+                                   in_space, cables)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EngineInfo, name, version, precision, models, dimensions)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunSettings, step, law, parameters)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StopOfRun, time, reason)

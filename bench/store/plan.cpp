@@ -9,6 +9,7 @@
 #include "bench/base/text.hpp"
 #include "bench/run/record.hpp"
 #include "bench/store/tree.hpp"
+#include "tautline/model_table.hpp"
 
 namespace tautline::bench {
 
@@ -18,7 +19,8 @@ RunKey key_of(const SuiteOptions& options, const PlannedRun& run) {
 }
 
 bool runs(const Model& model, const BenchCase& any) {
-  return model.in_space || std::holds_alternative<Case>(any);
+  return (model.in_space || std::holds_alternative<Case>(any)) &&
+         std::visit([&](const auto& one) { return has_cables_of(model, one); }, any);
 }
 
 std::vector<PlannedRun> plan(const SuiteOptions& options) {

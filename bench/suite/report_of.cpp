@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <thread>
 #include <utility>
+#include <variant>
 
 #include "bench/base/atomic_file.hpp"
 #include "bench/base/text.hpp"
@@ -16,6 +17,7 @@
 #include "bench/store/manifest.hpp"
 #include "bench/store/source_commit.hpp"
 #include "bench/suite/rows.hpp"
+#include "tautline/model_table.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -36,11 +38,16 @@ void judge_models(const std::vector<RunRecord>& runs, Report& report) {
   std::move(others.begin(), others.end(), std::back_inserter(report.findings));
 }
 
-/// Tells what models do with systems, where there is one.
+/// Tells what models do with systems, where there is one, and leaves out those of elastic cables
+/// where there is none.
 void tell_of_systems(const SuiteOptions& options, Report& report) {
   const bool any =
       std::any_of(options.cases.begin(), options.cases.end(),
                   [](const BenchCase& one) { return std::holds_alternative<SpatialSystem>(one); });
+  const bool any_elastic = std::ranges::any_of(options.cases, [](const BenchCase& one) {
+    return std::visit([](const auto& any_case) { return first_elastic(any_case).has_value(); },
+                      one);
+  });
   for (EngineRow& engine : report.engines) {
     if (!engine.info) {
       continue;
@@ -58,6 +65,9 @@ void tell_of_systems(const SuiteOptions& options, Report& report) {
       report.in_the_plane_alone.push_back(
           fmt::format("{}: {}", engine.name, fmt::join(not_run, ", ")));
     }
+    std::erase_if(engine.info->models, [&](const Model& model) {
+      return model.cables == Cables::elastic && !any_elastic && options.models.empty();
+    });
   }
 }
 

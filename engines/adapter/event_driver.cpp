@@ -453,6 +453,7 @@ std::unique_ptr<BasicSimulation<TheCase>> drive_by_events(
         "and sequential, not " +
         std::string(to_string(law)));
   }
+  refuse_elastic("the event driver", the_case);
   return std::make_unique<EventDriven<TheCase>>(the_case, std::move(adapter), law);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tautline/case_or_system.hpp"
+#include "tautline/elastic_step.hpp"
 
 namespace tautline {
 namespace {
@@ -28,6 +29,21 @@ void accelerate(const SpatialSystem& system, const SpatialSystemState& state, do
     }
   }
 }
+
+/// Sorts the elastic cables by their zones now, and gives their impulses over `dt` [s]; no cable of
+/// a case is one.
+void stretch(const Case& /*the_case*/, State& /*state*/, double /*dt*/,
+             std::vector<double>& impulses) {
+  std::fill(impulses.begin(), impulses.end(), 0.0);
+}
+void stretch(const SpatialSystem& system, SpatialSystemState& state, double dt,
+             std::vector<double>& impulses) {
+  state = with_zones_of_step(system, std::move(state));
+  impulses = elastic_impulses(system, state, dt);
+}
+
+bool is_elastic(const Cable& /*cable*/) { return false; }
+bool is_elastic(const SpatialCable& cable) { return cable.elasticity.has_value(); }
 
 /// The part of a gap's rate that is given: by a winch and ends that move [m/s].
 double given_rate(const Cable& /*cable*/, const State& /*state*/, double /*of_bodies*/) {
@@ -87,6 +103,7 @@ BasicPlainScheme<TheCase>::BasicPlainScheme(TheCase the_case, Acts acts)
 
 template <class TheCase>
 void BasicPlainScheme<TheCase>::step(double dt) {
+  stretch(case_, state_, dt, impulses_);
   const RowOf<TheCase> weight = inverse_mass(bodies_of(case_));
   const RowOf<TheCase> before = motion_of(state_);
   RowOf<TheCase> velocity = before;
@@ -96,7 +113,7 @@ void BasicPlainScheme<TheCase>::step(double dt) {
   for (std::size_t index = 0; index < case_.cables.size(); ++index) {
     const auto& cable = case_.cables[index];
     const double room = gap(cable, state_);
-    if (acts_ == Acts::late && room >= 0.0) {
+    if (is_elastic(cable) || (acts_ == Acts::late && room >= 0.0)) {
       continue;
     }
     const RowOf<TheCase> row = gap_gradient(cable, state_);
@@ -109,7 +126,6 @@ void BasicPlainScheme<TheCase>::step(double dt) {
     rows[count++] = {index, row, (rate < 0.0 ? restitution(cable, rate) * -rate : 0.0) - given,
                      row.dot(row.cwiseProduct(weight)), std::max(0.0, -room)};
   }
-  std::fill(impulses_.begin(), impulses_.end(), 0.0);
   for (int sweep = 0; sweep < most_sweeps && count > 0; ++sweep) {
     double change = 0.0;
     double largest = 0.0;

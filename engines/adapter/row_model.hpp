@@ -11,6 +11,7 @@
 #include "tautline/cable_row.hpp"
 #include "tautline/clock.hpp"
 #include "tautline/model_table.hpp"
+#include "tautline/system_loads.hpp"
 
 // For engines that take constraint rows of their user's own. `Rows` is what such an engine has: a
 // one-sided row for each cable of a case.
@@ -28,6 +29,7 @@
 //   void advance(dt, look)       one step of `dt` [s], which calls look() where it wants to know
 //                                what the rows ask for: with the pose and velocity of then
 //   bool asleep() const          optional: true if the engine has left the body out of the step
+//   void add(loads)              optional: forces and moments that act in the next step, too
 //   using InSpace = ...          optional: the same for a system, whose rows are SystemRows
 
 namespace tautline {
@@ -52,6 +54,9 @@ class RowSimulation final : public BasicSimulation<TheCase>, public TensionImpul
   [[nodiscard]] std::span<const double> tension_impulses() const override {
     return tension_impulses_;
   }
+
+  /// Adds these to the loads of the next step.
+  void pull(const std::vector<BodyLoad>& loads) { world_.add(loads); }
 
   void step(double dt) override {
     world_.advance(dt, [this, dt] { look(dt); });

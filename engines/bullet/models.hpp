@@ -6,7 +6,8 @@
 
 namespace tautline::bullet {
 
-/// `row`, `early` and `row-sleeping`: a constraint row of our own (row.cpp).
+/// `row`, `early` and `row-sleeping`: a constraint row of our own; `spring`: elastic cables
+/// (row.cpp).
 [[nodiscard]] std::vector<ModelEntry> row_models();
 
 /// `two-phase`: the same row, which lands first and bounces in the next step (two_phase.cpp).

@@ -1,11 +1,13 @@
 // A cable is a constraint row of our own (Bullet manual, "Constraints"): it exists while the cable
 // is overstretched when a step starts (`row`), or already when the step would overstretch it
 // (`early`). `row-sleeping` is `row` on a body that Bullet may put to sleep, as it does with every
-// body unless it is told not to.
+// body unless it is told not to. `spring` pulls elastic cables by forces, and leaves the others to
+// these rows.
 
 #include <string>
 
 #include "adapter/row_model.hpp"
+#include "adapter/spring_model.hpp"
 #include "cable_constraint.hpp"
 #include "models.hpp"
 
@@ -26,6 +28,7 @@ class SystemRowWorld {
 
   [[nodiscard]] SpatialSystemState state() const { return world_.state(); }
   void place(const SpatialSystemState& state) { world_.place(state); }
+  void add(const std::vector<BodyLoad>& loads) { world_.add(loads); }
 
   template <class Look>
   void advance(double dt, const Look& look) {
@@ -88,6 +91,8 @@ std::vector<ModelEntry> row_models() {
                    "and 1 rad/s for 2 s is frozen where it is.",
        .settings = row_settings(Sleep::as_shipped)},
       Activation::overstretched, Sleep::as_shipped));
+  result.push_back(spring_model<RowSimulation<SystemRowWorld, SpatialSystem>>(
+      result.front(), {}, Activation::overstretched));
   return result;
 }
 

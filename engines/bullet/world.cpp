@@ -147,6 +147,10 @@ void SystemWorld::place(const SpatialSystemState& state) {
 
 void SystemWorld::load(const std::vector<BodyLoad>& loads, const Eigen::Vector3d& gravity) {
   dynamics().setGravity(vector(gravity));
+  add(loads);
+}
+
+void SystemWorld::add(const std::vector<BodyLoad>& loads) {
   for (std::size_t index = 0; index < moving_.size(); ++index) {
     moving_[index]->applyCentralForce(vector(loads[index].force));
     moving_[index]->applyTorque(vector(loads[index].moment));

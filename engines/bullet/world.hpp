@@ -123,6 +123,9 @@ class SystemWorld : public BareWorld {
   /// One step of `dt` [s] under what is given to act.
   void advance(double dt);
 
+  /// Lets these act in the next step, too.
+  void add(const std::vector<BodyLoad>& loads);
+
   /// The two halves of that where another makes the step: before it, and after it or a part of it.
   void load(double dt);
   void follow(double dt) { time_ += dt; }

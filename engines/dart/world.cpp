@@ -225,6 +225,10 @@ void SystemWorld::load(const std::vector<BodyLoad>& loads, const Eigen::Vector3d
   if (parts().world->getGravity() != gravity) {
     parts().world->setGravity(gravity);
   }
+  add(loads);
+}
+
+void SystemWorld::add(const std::vector<BodyLoad>& loads) {
   for (std::size_t index = 0; index < loads.size(); ++index) {
     parts().bodies[index]->addExtForce(loads[index].force);
     parts().bodies[index]->addExtTorque(loads[index].moment);

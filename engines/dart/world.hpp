@@ -82,7 +82,8 @@ class SystemWorld : public BareWorld {
   [[nodiscard]] SpatialSystemState state() const;
   void place(const SpatialSystemState& state);
   void pull(std::size_t cable, const SystemRow& row, double rate);
-  void advance(double dt);  // under what is given to act
+  void advance(double dt);                       // under what is given to act
+  void add(const std::vector<BodyLoad>& loads);  // in the next step, too
   void fly(double dt);
 
  private:

@@ -5,6 +5,7 @@
 // other of how impacts are detected.
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <string>
 #include <utility>
@@ -20,6 +21,17 @@ namespace {
 
 /// A time past the end of the solution by no more than this is rounding in the sum of steps [-].
 constexpr double time_rounding = 1e-12;
+
+/// Points from -1 to 1, of either sign, and weights of the rule of Gauss with eight of them
+/// (Abramowitz and Stegun 1964, table 25.4) [-].
+struct GaussPoint {
+  double at;
+  double weight;
+};
+constexpr std::array<GaussPoint, 4> gauss = {{{0.183434642495650, 0.362683783378362},
+                                              {0.525532409916329, 0.313706645877887},
+                                              {0.796666477413627, 0.222381034453374},
+                                              {0.960289856497536, 0.101228536290376}}};
 
 /// What a run tells of the impacts in a step.
 enum class Report { events, impulses_only };
@@ -59,7 +71,12 @@ class ExactSimulation final : public BasicSimulation<TheCase>, public TensionImp
     const double start = clock_.now();
     clock_.advance(dt);
     report_impacts();
-    add_tensions(start, std::min(clock_.now(), solution_.end_time()));
+    const double until = std::min(clock_.now(), solution_.end_time());
+    if (first_elastic(solution_.system())) {
+      add_tensions_by_arcs(start, until);
+    } else {
+      add_tensions(start, until);
+    }
     if (report_ == Report::impulses_only) {
       std::transform(impulses_.begin(), impulses_.end(), tension_impulses_.begin(),
                      tension_impulses_.begin(), std::plus<>());
@@ -110,10 +127,33 @@ class ExactSimulation final : public BasicSimulation<TheCase>, public TensionImp
     }
   }
 
+  /// Adds them where springs may ring between two events: by the rule of Gauss on each arc. A
+  /// ringing spring has two or more in a period.
+  void add_tensions_by_arcs(double start, double end) {
+    const auto& arcs = solution_.arcs();
+    while (arc_ + 1 < arcs.size() && arcs[arc_].end <= start) {
+      ++arc_;
+    }
+    for (std::size_t index = arc_; index < arcs.size() && arcs[index].start < end; ++index) {
+      const auto& arc = arcs[index];
+      const double half = 0.5 * (std::min(end, arc.end) - std::max(start, arc.start));
+      const double middle = std::max(start, arc.start) - arc.start + half;  // [s], of the arc
+      CableVector sum = CableVector::Zero(static_cast<Eigen::Index>(tension_impulses_.size()));
+      for (const auto& [at, weight] : gauss) {
+        sum += weight * (solution_.tensions(arc, middle - half * at) +
+                         solution_.tensions(arc, middle + half * at));
+      }
+      for (std::size_t cable = 0; cable < tension_impulses_.size(); ++cable) {
+        tension_impulses_[cable] += half * sum[static_cast<Eigen::Index>(cable)];
+      }
+    }
+  }
+
   Report report_;
   BasicSolution<TheCase> solution_;
   Clock clock_;
   std::size_t next_ = 0;  // the first event not yet reported
+  std::size_t arc_ = 0;   // of the latest step's start
   std::vector<double> impulses_;
   std::vector<double> tension_impulses_;
   std::vector<Event> events_;
@@ -141,7 +181,8 @@ ModelEntry plain() {
                     .sentence = "A plain correct scheme of fixed steps, velocity first: the "
                                 "yardstick that every model with fixed steps is judged by.",
                     .settings = {},
-                    .maker = Maker::tautline},
+                    .maker = Maker::tautline,
+                    .cables = Cables::any},
           .start = makes<PlainSimulation<Case>>(),
           .start_system = makes<PlainSimulation<SpatialSystem>>(),
           .follows_speed = true};
@@ -151,7 +192,8 @@ ModelEntry entry(std::string name, std::string sentence, Report report) {
   return {.model = {.name = std::move(name),
                     .sentence = std::move(sentence),
                     .settings = {},
-                    .maker = Maker::tautline},
+                    .maker = Maker::tautline,
+                    .cables = Cables::any},
           .start = makes<ExactSimulation<Case>>(report),
           .start_system = makes<ExactSimulation<SpatialSystem>>(report),
           .follows_speed = true};

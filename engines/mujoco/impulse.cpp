@@ -1,6 +1,8 @@
 // A cable is a tendon without a limit, which MuJoCo only measures. While it is overstretched when a
 // step starts, an impulse by hand gives it its bounce (`ten_J`, `mj_solveM`); MuJoCo flies.
+// `spring` pulls elastic cables by forces, and leaves the others to these impulses.
 
+#include "adapter/spring_model.hpp"
 #include "models.hpp"
 #include "world.hpp"
 
@@ -10,14 +12,17 @@ namespace {
 template <class TheCase, class TheWorld>
 class ImpulseSimulation final : public BasicSteppedSimulation<TheCase> {
  public:
-  ImpulseSimulation(const TheCase& the_case, const RunSettings& run)
+  ImpulseSimulation(const TheCase& the_case, const RunSettings& run, Integrator integrator)
       : case_(the_case),
         correction_(usual_correction / run.step),
-        world_(the_case, Integrator::rk4),
+        world_(the_case, integrator),
         impulses_(the_case.cables.size()) {}
 
   [[nodiscard]] StateOf<TheCase> state() const override { return world_.state(); }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+
+  /// Adds these to the loads of the next step.
+  void pull(const std::vector<BodyLoad>& loads) { world_.add(loads); }
 
   void step(double dt) override {
     pull_overstretched(dt);
@@ -62,18 +67,24 @@ class ImpulseSimulation final : public BasicSteppedSimulation<TheCase> {
 }  // namespace
 
 std::vector<ModelEntry> impulse_models() {
-  return {{.model = {.name = "impulse",
-                     .sentence = "Impulses by hand before the steps that start overstretched, for "
-                                 "the bounce; 0.2 of the overstretch goes out per step without "
-                                 "throwing the body back. MuJoCo flies and gives tendons and "
-                                 "masses.",
-                     .settings = joined({world_settings(),
-                                         {{"integrator", "RK4",
-                                           "It flies the exact parabola between the impulses."}}}),
-                     .in_space = system_settings()},
-           .start = makes<ImpulseSimulation<Case, World>>(),
-           .start_system = makes<ImpulseSimulation<SpatialSystem, SystemWorld>>(),
-           .follows_speed = true}};
+  const ModelEntry impulse = {
+      .model = {.name = "impulse",
+                .sentence = "Impulses by hand before the steps that start overstretched, for "
+                            "the bounce; 0.2 of the overstretch goes out per step without "
+                            "throwing the body back. MuJoCo flies and gives tendons and "
+                            "masses.",
+                .settings = joined(
+                    {world_settings(),
+                     {{"integrator", "RK4", "It flies the exact parabola between the impulses."}}}),
+                .in_space = system_settings()},
+      .start = makes<ImpulseSimulation<Case, World>>(Integrator::rk4),
+      .start_system = makes<ImpulseSimulation<SpatialSystem, SystemWorld>>(Integrator::rk4),
+      .follows_speed = true};
+  return {impulse, spring_model<ImpulseSimulation<SpatialSystem, SystemWorld>>(
+                       impulse,
+                       {{"integrator", "Euler",
+                         "A force that stays as it is in a step of RK4 gives a spring energy."}},
+                       Integrator::euler)};
 }
 
 }  // namespace tautline::mujoco

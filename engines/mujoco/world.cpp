@@ -9,7 +9,6 @@
 #include "library.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impulses_by_hand.hpp"
-#include "tautline/system_loads.hpp"
 
 namespace tautline::mujoco {
 namespace {
@@ -206,13 +205,18 @@ void SystemWorld::advance(double dt) {
   set_cables();
   Eigen::Map<Vec3> gravity(model().opt.gravity);
   gravity = gravity_in_step(system_, now, dt);
-  const std::vector<BodyLoad> loads = loads_in_step(system_, now, dt);
+  add(loads_in_step(system_, now, dt));
+  step(dt);
+  mju_zero(data().xfrc_applied, 6 * model().nbody);
+  time_ += dt;
+}
+
+void SystemWorld::add(const std::vector<BodyLoad>& loads) {
   for (std::size_t index = 0; index < loads.size(); ++index) {
     Eigen::Map<Eigen::Matrix<double, 6, 1>> of_body(data().xfrc_applied + 6 * (index + 1));
-    of_body << loads[index].force, loads[index].moment;
+    of_body.head<3>() += loads[index].force;
+    of_body.tail<3>() += loads[index].moment;
   }
-  step(dt);
-  time_ += dt;
 }
 
 SystemWorld::Rows SystemWorld::look(double dt) {

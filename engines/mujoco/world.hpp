@@ -9,6 +9,7 @@
 #include "tautline/cable_row.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
+#include "tautline/system_loads.hpp"
 #include "world_xml.hpp"
 
 namespace tautline::mujoco {
@@ -89,7 +90,8 @@ class SystemWorld : public BareWorld {
 
   [[nodiscard]] SpatialSystemState state() const;
   void place(const SpatialSystemState& state);
-  void advance(double dt);  // under what is given to act
+  void advance(double dt);                       // under what is given to act
+  void add(const std::vector<BodyLoad>& loads);  // in the next step, too
   [[nodiscard]] Rows look(double dt = 0.0);
   CableVector pull(CableSet cables, const CableVector& rates);
 

@@ -1,11 +1,13 @@
 // A cable is a contact joint without friction (ODE manual, "Contact"), made while the cable is
 // overstretched when a step starts (`row`, `contact`), or already when the step would overstretch
 // it (`early`). ODE takes the larger of the bounce and the push out of the overstretch, and the
-// bounce from the velocity before gravity's part of the step.
+// bounce from the velocity before gravity's part of the step. `spring` pulls elastic cables by
+// forces, and leaves the others to the contacts of `row`.
 
 #include <type_traits>
 #include <utility>
 
+#include "adapter/spring_model.hpp"
 #include "models.hpp"
 #include "tautline/clock.hpp"
 #include "world.hpp"
@@ -58,6 +60,9 @@ class FixedStepSimulation final : public BasicSteppedSimulation<TheCase> {
 
   [[nodiscard]] StateOf<TheCase> state() const override { return world_.state(); }
   [[nodiscard]] std::span<const double> impulses() const override { return world_.impulses(); }
+
+  /// Adds these to the loads of the next step.
+  void pull(const std::vector<BodyLoad>& loads) { world_.add(loads); }
 
   void step(double dt) override {
     const StateOf<TheCase> start = at_time_of_step(world_.state(), clock_);
@@ -186,11 +191,12 @@ ModelEntry contact_entry(std::string name, std::string sentence, const std::vect
 }  // namespace
 
 std::vector<ModelEntry> fixed_step_models() {
-  return {entry("row",
-                "A contact joint from the step after the cable is overstretched; it asks for the "
-                "bounce, and takes 0.2 of the overstretch out per step without throwing the body "
-                "back.",
-                exact_row_settings(), row),
+  const ModelEntry rows = entry(
+      "row",
+      "A contact joint from the step after the cable is overstretched; it asks for the bounce, and "
+      "takes 0.2 of the overstretch out per step without throwing the body back.",
+      exact_row_settings(), row);
+  return {rows,
           entry("early",
                 "The same joint already in the step that would overstretch the cable: the bounce "
                 "comes up to one step early.",
@@ -201,7 +207,8 @@ std::vector<ModelEntry> fixed_step_models() {
                         {}, contact),
           contact_entry("contact-tuned",
                         "The same contact with the settings that suit a bouncing cable.",
-                        settings_that_suit_a_cable(), tuned)};
+                        settings_that_suit_a_cable(), tuned),
+          spring_model<FixedStepSimulation<SpatialSystem, SystemWorld>>(rows, {}, row)};
 }
 
 }  // namespace tautline::ode

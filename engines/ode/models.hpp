@@ -6,7 +6,8 @@
 
 namespace tautline::ode {
 
-/// `row`, `early` and `contact`: ODE's contact joint with fixed steps (fixed_step.cpp).
+/// `row`, `early` and `contact`: ODE's contact joint with fixed steps; `spring`: elastic cables
+/// (fixed_step.cpp).
 [[nodiscard]] std::vector<ModelEntry> fixed_step_models();
 
 /// `cable` and `cable-events`: the drop-in cable of this project (cable.cpp).

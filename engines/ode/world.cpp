@@ -252,6 +252,10 @@ void SystemWorld::pull(std::size_t index, const SystemRow& row, const dSurfacePa
 
 void SystemWorld::load(const std::vector<BodyLoad>& loads, const Eigen::Vector3d& gravity) {
   set_gravity(gravity);
+  add(loads);
+}
+
+void SystemWorld::add(const std::vector<BodyLoad>& loads) {
   for (std::size_t index = 0; index < moving_.size(); ++index) {
     const auto& [force, moment] = loads[index];
     dBodyAddForce(moving_[index], force.x(), force.y(), force.z());

@@ -114,7 +114,8 @@ class SystemWorld : public BareWorld {
 
   void place(const SpatialSystemState& state);
   void pull(std::size_t index, const SystemRow& row, const dSurfaceParameters& surface);
-  void advance(double dt);  // under what is given to act
+  void advance(double dt);                       // under what is given to act
+  void add(const std::vector<BodyLoad>& loads);  // in the next step, too
   void fly(double dt);
 
   /// The two parts of `advance`, where its step may be split: before it all, and once or more.

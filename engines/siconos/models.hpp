@@ -6,7 +6,8 @@
 
 namespace tautline::siconos_engine {
 
-/// `moreau-jean` and `moreau-jean-projected`: Siconos' time-stepping (moreau_jean.cpp).
+/// `moreau-jean` and `moreau-jean-projected`: Siconos' time-stepping; `spring`: elastic cables
+/// (moreau_jean.cpp).
 [[nodiscard]] std::vector<ModelEntry> moreau_jean_models();
 
 /// `event-driven`: Siconos' own location of events (event_driven.cpp).

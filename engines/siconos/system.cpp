@@ -50,12 +50,14 @@ std::shared_ptr<LagrangianDS> body_of(const Case& the_case, const State& start) 
 /// `start` [s] old where Siconos has 0.
 class Loaded final : public NewtonEulerDS {
  public:
-  Loaded(const SpatialSystem& system, std::size_t index, const SpatialState& place, double start)
+  Loaded(const SpatialSystem& system, std::size_t index, const SpatialState& place, double start,
+         const std::vector<BodyLoad>& pulls)
       : NewtonEulerDS(place_of(place), twist_of(place), system.bodies[index].mass,
                       inertia_of(system.bodies[index])),
         system_(system),
         index_(index),
-        start_(start) {
+        start_(start),
+        pulls_(pulls) {
     _fExt = vector(0.0, 0.0, 0.0);
     _mExt = vector(0.0, 0.0, 0.0);
     setIsMextExpressedInInertialFrame(true);
@@ -66,7 +68,7 @@ class Loaded final : public NewtonEulerDS {
     const double now = start_ + time;
     const Eigen::Vector3d given = body.mass * system_.gravity.at(now) + body.force.at(now) -
                                   body.drag * numbers<3>(*_twist, 0);
-    put(*force, given);
+    put(*force, given + pull().force);
   }
   void computeFExt(double time) override { computeFExt(time, _fExt); }
 
@@ -75,7 +77,7 @@ class Loaded final : public NewtonEulerDS {
     SpatialState place;
     place.orientation = numbers<4>(*_q, 3).normalized();
     put(*moment, body.moment.at(start_ + time) -
-                     body.spin_drag * in_the_world(place, numbers<3>(*_twist, 3)));
+                     body.spin_drag * in_the_world(place, numbers<3>(*_twist, 3)) + pull().moment);
   }
   void computeMExt(double time) override { computeMExt(time, _mExt); }
 
@@ -122,9 +124,15 @@ class Loaded final : public NewtonEulerDS {
     return result;
   }
 
+  [[nodiscard]] BodyLoad pull() const {
+    return pulls_.empty() ? BodyLoad{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}
+                          : pulls_[index_];
+  }
+
   const SpatialSystem& system_;
   std::size_t index_;
   double start_;
+  const std::vector<BodyLoad>& pulls_;
 };
 
 void check_cables(const SpatialSystem& system) {
@@ -207,7 +215,7 @@ SystemInSpace::SystemInSpace(const SpatialSystem& system, const SpatialSystemSta
     : system_(&system), start_(start.time) {
   check_cables(system);
   for (std::size_t index = 0; index < system.bodies.size(); ++index) {
-    bodies_.push_back(std::make_shared<Loaded>(system, index, start.bodies[index], start_));
+    bodies_.push_back(std::make_shared<Loaded>(system, index, start.bodies[index], start_, pulls_));
     dynamics_->insertDynamicalSystem(bodies_.back());
   }
   for (const SpatialCable& cable : system.cables) {

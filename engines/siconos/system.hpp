@@ -9,6 +9,7 @@
 #include "storage_in_cpp20.hpp"
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
+#include "tautline/system_loads.hpp"
 
 class DynamicalSystem;
 class LagrangianDS;
@@ -75,6 +76,10 @@ class SystemInSpace : public Interactions {
   SystemInSpace(const SpatialSystem& system, const SpatialSystemState& start);
 
   [[nodiscard]] SpatialSystemState state() const;
+
+  /// Lets these act from now on, next to what is given.
+  void set_pulls(const std::vector<BodyLoad>& loads) { pulls_ = loads; }
+
   void set_restitutions(double capture_speed = 0.0) {
     Interactions::set_restitutions(*system_, state(), capture_speed);
   }
@@ -82,7 +87,8 @@ class SystemInSpace : public Interactions {
  private:
   const SpatialSystem* system_;  // the simulation's, which outlives this
   std::vector<std::shared_ptr<NewtonEulerDS>> bodies_;
-  double start_;  // [s], of the run, where Siconos has 0
+  std::vector<BodyLoad> pulls_;  // empty: none
+  double start_;                 // [s], of the run, where Siconos has 0
 };
 
 /// What an exception of Siconos says, in one line.

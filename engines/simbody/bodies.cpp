@@ -7,7 +7,6 @@
 
 #include "tautline/geometry.hpp"
 #include "tautline/point_mass.hpp"
-#include "tautline/system_loads.hpp"
 
 namespace tautline::simbody {
 namespace {
@@ -29,8 +28,9 @@ SimTK::Body::Rigid rigid(double mass, const SimTK::Vec3& moments) {
 /// Gravity and what is given to act on the bodies of a system, at every instant.
 class Loads final : public SimTK::Force::Custom::Implementation {
  public:
-  Loads(const SpatialSystem& system, const std::vector<SimTK::MobilizedBody>& bodies)
-      : system_(system), bodies_(bodies) {}
+  Loads(const SpatialSystem& system, const std::vector<SimTK::MobilizedBody>& bodies,
+        const std::vector<BodyLoad>& pulls)
+      : system_(system), bodies_(bodies), pulls_(pulls) {}
 
   void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& forces,
                  SimTK::Vector_<SimTK::Vec3>& /*of_particles*/,
@@ -45,12 +45,17 @@ class Loads final : public SimTK::Force::Custom::Implementation {
           vector(Eigen::Vector3d(body.moment.at(time))) - body.spin_drag * motion[0],
           vector(given) - body.drag * motion[1]);
     }
+    for (std::size_t index = 0; index < pulls_.size(); ++index) {
+      forces[bodies_[index].getMobilizedBodyIndex()] +=
+          SimTK::SpatialVec(vector(pulls_[index].moment), vector(pulls_[index].force));
+    }
   }
   SimTK::Real calcPotentialEnergy(const SimTK::State& /*state*/) const override { return 0.0; }
 
  private:
   const SpatialSystem& system_;
   const std::vector<SimTK::MobilizedBody>& bodies_;
+  const std::vector<BodyLoad>& pulls_;
 };
 
 /// Ropes and rods of Simbody do no more.
@@ -134,7 +139,7 @@ Bodies<SpatialSystem>::Bodies(const SpatialSystem& system) : case_(system) {
     bodies_.push_back(SimTK::MobilizedBody::Free(matter_.updGround(),
                                                  rigid(body.mass, vector(turnable_inertia(body)))));
   }
-  SimTK::Force::Custom(forces_, new Loads(case_, bodies_));
+  SimTK::Force::Custom(forces_, new Loads(case_, bodies_, pulls_));
 }
 
 template <>

@@ -5,6 +5,7 @@
 #include "simbody.hpp"
 #include "tautline/cable_row.hpp"
 #include "tautline/engine.hpp"
+#include "tautline/system_loads.hpp"
 
 namespace tautline::simbody {
 
@@ -35,6 +36,9 @@ class Bodies {
 
   [[nodiscard]] StateOf<TheCase> state_of(const SimTK::State& state) const;
 
+  /// Lets these act in a system from now on, next to what is given.
+  void set_pulls(const std::vector<BodyLoad>& loads) { pulls_ = loads; }
+
   [[nodiscard]] const TheCase& the_case() const { return case_; }
   [[nodiscard]] SimTK::MultibodySystem& system() { return system_; }
   [[nodiscard]] SimTK::SimbodyMatterSubsystem& matter() { return matter_; }
@@ -46,6 +50,7 @@ class Bodies {
 
  private:
   TheCase case_;
+  std::vector<BodyLoad> pulls_;  // empty: none
   SimTK::MultibodySystem system_;
   SimTK::SimbodyMatterSubsystem matter_{system_};
   SimTK::GeneralForceSubsystem forces_{system_};

@@ -6,7 +6,8 @@
 
 namespace tautline::simbody {
 
-/// `rope`: Simbody's own one-sided constraint in its time-stepper (rope.cpp).
+/// `rope`: Simbody's own one-sided constraint in its time-stepper; `spring`: elastic cables
+/// (rope.cpp).
 [[nodiscard]] std::vector<ModelEntry> rope_models();
 
 /// `event-handler`: Simbody's integrator and its event handlers (event_handler.cpp).

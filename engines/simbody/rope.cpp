@@ -1,9 +1,11 @@
 // A cable is SimTK::Rope, Simbody's own one-sided distance constraint with a coefficient of
 // restitution, in the time-stepper that such constraints need, SemiExplicitEulerTimeStepper: first
-// the impact of a step, then its forces.
+// the impact of a step, then its forces. `spring` pulls elastic cables by forces, and leaves the
+// others to these ropes.
 
 #include <algorithm>
 
+#include "adapter/spring_model.hpp"
 #include "bodies.hpp"
 #include "models.hpp"
 #include "quiet.hpp"
@@ -52,7 +54,7 @@ class SummingSolver final : public SimTK::PLUSImpulseSolver {
 template <class TheCase>
 class RopeSimulation final : public BasicSteppedSimulation<TheCase> {
  public:
-  explicit RopeSimulation(const TheCase& the_case)
+  RopeSimulation(const TheCase& the_case, const RunSettings& /*run*/)
       : bodies_(the_case), stepper_(bodies_.system()), impulses_(the_case.cables.size()) {
     for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
       Station from = bodies_.from(index);
@@ -73,6 +75,12 @@ class RopeSimulation final : public BasicSteppedSimulation<TheCase> {
     return bodies_.state_of(stepper_.getState());
   }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+
+  /// Lets these act in the next step, next to what is given.
+  void pull(const std::vector<BodyLoad>& loads) {
+    bodies_.set_pulls(loads);
+    stepper_.getState().invalidateAllCacheAtOrAbove(SimTK::Stage::Dynamics);
+  }
 
   void step(double dt) override {
     solver_->start_sum();
@@ -102,25 +110,26 @@ class RopeSimulation final : public BasicSteppedSimulation<TheCase> {
 }  // namespace
 
 std::vector<ModelEntry> rope_models() {
-  return {
-      {.model = {.name = "rope",
-                 .sentence = "SimTK::Rope in SemiExplicitEulerTimeStepper: a bounce in the step "
-                             "after the cable is overstretched, and then the step's gravity.",
-                 .settings = {{"setRestitutionModel", "Newton",
-                               "Simbody's default is Poisson's law."},
-                              {"setConstraintTolerance", "1e-8",
-                               "A rope acts from this gap on; with the default 1e-4 the error "
-                               "stops shrinking there."},
-                              {"setImpulseSolver", "PLUSImpulseSolver, summed up",
-                               "The default solver; the time-stepper does not tell its "
-                               "impulses.",
-                               Origin::engine_default},
-                              {"std::cout, stdout", "dropped while it steps",
-                               "Debian's build prints a page of every step."}},
-                 .maker = Maker::engine,
-                 .in_space = system_settings()},
-       .start = makes<RopeSimulation<Case>>(),
-       .start_system = makes<RopeSimulation<SpatialSystem>>()}};
+  const ModelEntry rope = {
+      .model = {.name = "rope",
+                .sentence = "SimTK::Rope in SemiExplicitEulerTimeStepper: a bounce in the step "
+                            "after the cable is overstretched, and then the step's gravity.",
+                .settings = {{"setRestitutionModel", "Newton",
+                              "Simbody's default is Poisson's law."},
+                             {"setConstraintTolerance", "1e-8",
+                              "A rope acts from this gap on; with the default 1e-4 the error "
+                              "stops shrinking there."},
+                             {"setImpulseSolver", "PLUSImpulseSolver, summed up",
+                              "The default solver; the time-stepper does not tell its "
+                              "impulses.",
+                              Origin::engine_default},
+                             {"std::cout, stdout", "dropped while it steps",
+                              "Debian's build prints a page of every step."}},
+                .maker = Maker::engine,
+                .in_space = system_settings()},
+      .start = makes<RopeSimulation<Case>>(),
+      .start_system = makes<RopeSimulation<SpatialSystem>>()};
+  return {rope, spring_model<RopeSimulation<SpatialSystem>>(rope, {})};
 }
 
 }  // namespace tautline::simbody

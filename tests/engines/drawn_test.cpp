@@ -33,7 +33,8 @@ class DrawnEngine : public testing::TestWithParam<ModelUnderTest> {
 
 TEST_P(DrawnEngine, IsDrawnWithinAPixelOfItsRuns) {
   constexpr std::size_t runs = 6;  // of ten engines: 60
-  const std::vector<Model> models = plugin_.engine().info().models;
+  std::vector<Model> models = plugin_.engine().info().models;
+  std::erase_if(models, [](const Model& one) { return one.cables == Cables::elastic; });
   const std::vector<Case> cases = shipped_cases();
   const unsigned seed = 12;
   std::mt19937 random(seed);

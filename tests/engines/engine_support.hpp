@@ -38,7 +38,7 @@ void PrintTo(const ModelUnderTest& model, std::ostream* out);
 /// test in a process of its own too, with one engine: some share symbols.
 [[nodiscard]] std::vector<bench::RegisteredEngine> engines_of_the_build();
 
-/// Every model of every plug-in there.
+/// Every model of every plug-in there, but those of elastic cables.
 [[nodiscard]] std::vector<ModelUnderTest> models_under_test();
 
 /// Every model of every engine there that has a process of its own: those on npm that are fetched.

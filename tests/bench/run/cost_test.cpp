@@ -84,8 +84,8 @@ TEST(Started, RefusesAnElasticCableByItsNumberBeforeTheEngineSeesIt) {
     static_cast<void>(started(CountingEngine(ways), in_space(in_the_plane), "m", {1e-2}));
     ADD_FAILURE() << "it started";
   } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(error.what(), "unsupported: engines run inextensible cables alone, and cable " +
-                                last + " has a stiffness; must have a restitution instead");
+    EXPECT_EQ(error.what(), "unsupported: model m has inextensible cables alone, cable " + last +
+                                " of the case is elastic");
   }
 }
 

@@ -193,6 +193,8 @@ TEST(Wire, ANumberThatDoesNotFitIsAFailure) {
   EXPECT_TRUE(fails(info, "-2", "-0.5"));
   EXPECT_FALSE(fails(info, "\"maker\":0", "\"maker\":2"));
   EXPECT_TRUE(fails(info, "\"maker\":0", "\"maker\":3"));
+  EXPECT_FALSE(fails(info, "\"cables\":0", "\"cables\":2"));
+  EXPECT_TRUE(fails(info, "\"cables\":0", "\"cables\":3"));
   EXPECT_TRUE(fails(info, "[1,", "[1.5,"));
   EXPECT_TRUE(fails(info, "[1,", "[77,"));
 }

@@ -7,8 +7,12 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "bench/cases/catalogue.hpp"
+#include "tautline/scenarios.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -38,6 +42,31 @@ double whole_cost(const SuiteOptions& options) {
   return std::accumulate(runs.begin(), runs.end(), 0.0, [&](double sum, const PlannedRun& run) {
     return sum + expected_cost(options, run);
   });
+}
+
+TEST(Plan, GivesEachCaseTheModelsThatHaveItsCables) {
+  SuiteOptions options;
+  const SpatialSystem rigid = shipped_spatial_systems().front().system;
+  SpatialSystem stretches = rigid;
+  stretches.cables.front().elasticity = Elasticity{.stiffness = {1e3}};
+  options.cases = {shipped_cases().front(), rigid, stretches};
+  options.steps = {1e-2};
+  RegisteredEngine engine;
+  engine.info = EngineInfo{};
+  const std::vector<std::pair<std::string, Cables>> models = {
+      {"row", Cables::inextensible}, {"spring", Cables::elastic}, {"plain", Cables::any}};
+  for (const auto& [name, cables] : models) {
+    Model& model = engine.info->models.emplace_back();
+    model.name = name;
+    model.in_space.emplace();
+    model.cables = cables;
+  }
+  options.engines = {engine};
+  std::vector<std::string> planned(options.cases.size());
+  for (const PlannedRun& run : plan(options)) {
+    planned[run.the_case] += run.model.name + " ";
+  }
+  EXPECT_EQ(planned, (std::vector<std::string>{"row plain ", "row plain ", "spring plain "}));
 }
 
 TEST(Shard, IsTwoWholeNumbersTheFirstAtMostTheSecond) {

@@ -16,7 +16,8 @@ namespace tautline {
 /// A simulation in which `adapter`'s engine flies, solves impacts and holds taut cables
 /// (`taut_step`), and every event is located by the exact search of `analytic/`. Impacts on several
 /// cables follow `law`: simultaneous, one solve for all; or sequential, one solve after another.
-/// Throws std::invalid_argument for the other laws. A simulation that cannot go on says so.
+/// Throws std::invalid_argument for the other laws, and if a cable is elastic. A simulation that
+/// cannot go on says so.
 ///
 /// In the plane the engine flies the exact parabola. A system's flight is the engine's own, which
 /// is exact for bodies of three equal moments without forces over time: the driver moves each

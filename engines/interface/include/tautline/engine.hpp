@@ -63,6 +63,13 @@ enum class Maker {
   return "";
 }
 
+/// The cables of the cases that a model runs.
+enum class Cables {
+  inextensible,  // all of them
+  elastic,       // one of a system, or more (`SpatialCable::elasticity`)
+  any,           // both kinds of cases
+};
+
 /// A number of a model that a run may set, such as a stiffness.
 struct Parameter {
   std::string name;  // [a-z0-9-]+
@@ -84,6 +91,7 @@ struct Model {
   /// Set where it runs systems in space, too (`Engine::start_system`): what is set for them, in
   /// place of `settings` of the same name.
   std::optional<std::vector<Setting>> in_space = {};
+  Cables cables = Cables::inextensible;  // of the cases that it runs
 };
 
 /// What an engine says of itself.
@@ -91,7 +99,7 @@ struct EngineInfo {
   std::string name;       // [a-z0-9-]+, such as "bullet64"
   std::string version;    // asked from the library, not from a header, where the library can tell
   std::string precision;  // "float64" or "float32"
-  std::vector<Model> models;  // each runs any case, or says why not
+  std::vector<Model> models;  // each runs any case with its kind of cables, or says why not
   int dimensions = 2;         // of its world: 2, or 3
 };
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -19,7 +22,7 @@ namespace tautline {
 struct ModelEntry {
   Model model;  // its name and what it is
   std::function<std::unique_ptr<Simulation>(const Case& the_case, const RunSettings& settings)>
-      start;  // starts a run with it
+      start;  // starts a run with it; none: its `cables` are elastic
   std::function<std::unique_ptr<SystemSimulation>(const SpatialSystem&, const RunSettings&)>
       start_system = nullptr;  // the same of a system in space; none: it takes the plane alone
   /// True where every impact gets `restitution(cable, rate)` at its own rate; a model that takes
@@ -52,6 +55,46 @@ inline void check_parameters(const Model& model, const RunSettings& settings) {
   }
 }
 
+/// The first elastic cable; none: all are inextensible, as those of a `Case`.
+[[nodiscard]] inline std::optional<std::size_t> first_elastic(const Case& /*the_case*/) {
+  return std::nullopt;
+}
+/// In a system some may be elastic.
+[[nodiscard]] inline std::optional<std::size_t> first_elastic(const SpatialSystem& system) {
+  const auto found = std::ranges::find_if(
+      system.cables, [](const SpatialCable& cable) { return cable.elasticity.has_value(); });
+  return found == system.cables.end()
+             ? std::nullopt
+             : std::optional(static_cast<std::size_t>(found - system.cables.begin()));
+}
+
+/// Throws std::invalid_argument if a cable of `the_case` is elastic: `whose` cables, such as "model
+/// row", are all inextensible.
+template <class TheCase>
+void refuse_elastic(const std::string& whose, const TheCase& the_case) {
+  if (const std::optional<std::size_t> elastic = first_elastic(the_case)) {
+    throw std::invalid_argument("unsupported: " + whose + " has inextensible cables alone, cable " +
+                                std::to_string(*elastic) + " of the case is elastic");
+  }
+}
+
+/// True if `model` runs cases with cables as `the_case` has them.
+template <class TheCase>
+[[nodiscard]] bool has_cables_of(const Model& model, const TheCase& the_case) {
+  return model.cables == Cables::any ||
+         (model.cables == Cables::elastic) == first_elastic(the_case).has_value();
+}
+
+/// Throws std::invalid_argument if it does not.
+template <class TheCase>
+void check_cables_of(const Model& model, const TheCase& the_case) {
+  if (!has_cables_of(model, the_case)) {
+    refuse_elastic("model " + model.name, the_case);
+    throw std::invalid_argument("unsupported: model " + model.name +
+                                " needs an elastic cable, all cables of the case are inextensible");
+  }
+}
+
 /// The parameter `name` of a run; `otherwise` where the run does not set it.
 [[nodiscard]] inline double parameter_of(const RunSettings& settings, const std::string& name,
                                          double otherwise) {
@@ -75,6 +118,7 @@ template <class TheCase>
                                       std::to_string(index) + " of the case does not");
         }
       }
+      check_cables_of(entry.model, the_case);
       check_parameters(entry.model, settings);
       return entry;
     }

@@ -13,7 +13,7 @@
 
 /// Raised with every change of engine.hpp, case.hpp, system.hpp or solution.hpp that an older
 /// plug-in would not fit. What is only added, such as TensionImpulses, fits.
-#define TAUTLINE_INTERFACE_VERSION 6
+#define TAUTLINE_INTERFACE_VERSION 7
 
 /// What a plug-in must have been built against, as text.
 #define TAUTLINE_INTERFACE \

@@ -164,7 +164,8 @@ TEST(SystemFile, IsACaseWhereOneBodyAndConstantsAreAllThereIs) {
   ASSERT_EQ(reading.problems, Strings());
   ASSERT_TRUE(reading.the_case);
   EXPECT_EQ(reading.only_a_system, "");
-  EXPECT_EQ(test::bits(*reading.the_case), test::bits(*read_case_text(ball_text, "ball.toml").the_case));
+  EXPECT_EQ(test::bits(*reading.the_case),
+            test::bits(*read_case_text(ball_text, "ball.toml").the_case));
   const System same = as_system(*reading.the_case);
   EXPECT_EQ(write_system(*reading.system), write_system(same));
   EXPECT_EQ(same.cables[0].to.at, Vec2(0.0, 1.0));

@@ -115,6 +115,8 @@ class SystemWorld : public BareWorld {
  public:
   explicit SystemWorld(const SpatialSystem& system);
 
+  using BareWorld::add;
+
   [[nodiscard]] SpatialSystemState state() const;
 
   /// Puts the bodies there.

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "bench/measure/contact_match.hpp"
 #include "bench/measure/impact_errors.hpp"
 #include "bench/measure/impact_match.hpp"
 #include "bench/measure/settling_match.hpp"
 #include "bench/measure/tension_match.hpp"
+#include "tautline/case_or_system.hpp"
 #include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
@@ -162,7 +164,12 @@ Metrics compare(const Case& the_case, const Solution& solution, const Settling& 
 Metrics compare(const SpatialSystem& system, const BasicSolution<SpatialSystem>& solution,
                 const SystemSettling& settling, double horizon, const SystemTrajectory& run,
                 const CompareOptions& options) {
-  return compared(system, solution, settling, horizon, run, options);
+  Metrics metrics = compared(system, solution, settling, horizon, run, options);
+  if (std::ranges::any_of(system.cables, [](const auto& cable) { return is_elastic(cable); })) {
+    metrics.contacts = match_contacts(elastic_contacts(solution), run.contacts, options.count_speed,
+                                      std::min(solution.end_time(), horizon));
+  }
+  return metrics;
 }
 
 }  // namespace tautline::bench

@@ -54,6 +54,19 @@ struct ExactAndFound {
   double found = 0.0;
 };
 
+/// Contacts of elastic cables that begin up to the horizon, of a run against those of the exact
+/// motion: the errors are the worst of the pairs, none without a pair that has a number.
+struct ContactMatch {
+  std::size_t exact = 0;                    // counted contacts of the exact motion
+  std::size_t found = 0;                    // counted contacts of the run
+  std::size_t matched = 0;                  // pairs, one to one
+  std::optional<ExactAndFound> peak;        // [N], the largest tension; the run's over a step
+  std::optional<double> peak_error;         // [%] of a contact's exact largest tension
+  std::optional<double> impulse_error;      // [%] of a contact's exact impulse
+  std::optional<double> time_error;         // [%] of a contact's exact time
+  std::optional<double> restitution_error;  // [-], of a contact's exit speed over its entry speed
+};
+
 /// The swing on the cables that are taut in the end, over the last period of a run.
 struct SwingMatch {
   double from = 0.0;        // [s]
@@ -79,6 +92,7 @@ struct Metrics {
   std::optional<ExactAndFound> rest_tension;       // [N], of the cable that is off most
   std::optional<ExactAndFound> largest_tension;    // [N], of a taut phase
   std::optional<ExactAndFound> first_impulse;      // [N s], of the first impact
+  std::optional<ContactMatch> contacts;            // none without an elastic cable
 
   [[nodiscard]] const Deviation& deviation_in(Window window) const {
     return deviation[static_cast<std::size_t>(window)];

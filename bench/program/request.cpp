@@ -254,8 +254,14 @@ Request read_request(const BenchCommand& command) {
       plan(options).empty() &&
       std::any_of(options.engines.begin(), options.engines.end(),
                   [](const RegisteredEngine& engine) { return engine.info.has_value(); })) {
-    request.problems.emplace_back(
-        "no model of these engines runs systems; `tautline engines` names those that do");
+    const bool in_space = std::ranges::any_of(options.engines, [](const RegisteredEngine& engine) {
+      return engine.info && std::ranges::any_of(engine.info->models, [](const Model& model) {
+               return model.in_space.has_value();
+             });
+    });
+    request.problems.push_back(
+        fmt::format("no model of these engines runs {}; `tautline engines` names those that do",
+                    in_space ? "elastic cables" : "systems"));
   }
   request.within = within_of(command, request.problems);
   return request;

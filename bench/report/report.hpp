@@ -88,6 +88,7 @@ struct RunDetails {
   std::optional<ExactAndFound> rest_tension;     // [N]
   std::optional<ExactAndFound> largest_tension;  // [N]
   std::optional<ExactAndFound> first_impulse;    // [N s]
+  std::optional<ContactMatch> contacts;          // none without an elastic cable
   std::size_t stride = 1;                        // every stride-th step was sampled
   std::size_t recorded_impacts = 0;              //
   std::size_t slow_impacts = 0;                  // that were only counted
@@ -435,8 +436,10 @@ struct Report {
   std::size_t planned_runs = 0;
   ReportOptions options;
   std::vector<EngineRow> engines;
-  /// The models of each engine that run no system; not in JSON.
+  /// The models of each engine that run no system, and those of its others that run no elastic
+  /// cable where a system has one; not in JSON.
   std::vector<std::string> in_the_plane_alone;
+  std::vector<std::string> inextensible_alone;
   std::vector<CaseRow> cases;
   std::vector<SummaryRow> summary;
   std::vector<ConvergenceRow> convergence;

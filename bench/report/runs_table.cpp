@@ -21,6 +21,27 @@ constexpr Digits as_restitution = fixed(4);
 
 bool is_shown(const Metric& metric) { return metric.shown != Shown::nowhere; }
 
+bool has_contacts(const Report& report) {
+  return std::ranges::any_of(
+      report.runs, [](const RunRow& run) { return run.details && run.details->contacts; });
+}
+
+/// Of elastic cables; a report without them has no such columns.
+std::vector<Column> contact_columns() {
+  const std::string contacts = "contacts to the horizon";
+  const std::string peak = "largest tension of a contact";
+  const std::string off = "contacts off by";
+  return {number_column("matched", "", contacts, "contacts-matched"),
+          number_column("exact", "", contacts, "contacts-exact"),
+          number_column("found", "", contacts, "contacts-found"),
+          number_column("exact", "N", peak, "contact-peak-exact"),
+          number_column("found", "N", peak, "contact-peak-found"),
+          number_column("largest tension", "%", off, "contact-peak-error"),
+          number_column("impulse", "%", off, "contact-impulse-error"),
+          number_column("duration", "%", off, "contact-time-error"),
+          number_column("e", "", off, "contact-restitution-error")};
+}
+
 std::vector<Column> columns_of(const Report& report, bool with_case) {
   std::vector<Column> columns = setup_columns();
   if (with_case) {
@@ -57,6 +78,10 @@ std::vector<Column> columns_of(const Report& report, bool with_case) {
       number_column("cost", "flights", "", "cost"),
       word_column("how it ended", "status")};
   columns.insert(columns.end(), others.begin(), others.end());
+  if (has_contacts(report)) {
+    const std::vector<Column> contacts = contact_columns();
+    columns.insert(columns.end() - 2, contacts.begin(), contacts.end());
+  }
   return columns;
 }
 
@@ -127,8 +152,9 @@ struct Lookup {
   std::map<std::string, std::optional<double>> restitution;  // by case
   std::map<std::string, std::string> title;                  // by case
   std::map<RunKey, double> cost;
+  bool has_contacts = false;
 
-  explicit Lookup(const Report& report) {
+  explicit Lookup(const Report& report) : has_contacts(bench::has_contacts(report)) {
     for (const CaseRow& the_case : report.cases) {
       restitution.emplace(the_case.name, the_case.asked_restitution());
       title.emplace(the_case.name, the_case.title);
@@ -151,6 +177,21 @@ struct Lookup {
   }
 };
 
+void add_contacts(std::vector<Cell>& cells, const std::optional<ContactMatch>& contacts) {
+  if (!contacts) {
+    cells.insert(cells.end(), contact_columns().size(), Cell(dash));
+    return;
+  }
+  for (const std::size_t count : {contacts->matched, contacts->exact, contacts->found}) {
+    cells.push_back(count_cell(count));
+  }
+  add_pair(cells, contacts->peak, as_error);
+  for (const auto number : {&ContactMatch::peak_error, &ContactMatch::impulse_error,
+                            &ContactMatch::time_error, &ContactMatch::restitution_error}) {
+    cells.push_back(number_cell((*contacts).*number, as_error));
+  }
+}
+
 void add_numbers(std::vector<Cell>& cells, const RunRow& run, const Lookup& lookup) {
   for (std::size_t place = 0; place < metric_list().size(); ++place) {
     if (is_shown(metric_list()[place])) {
@@ -168,6 +209,9 @@ void add_numbers(std::vector<Cell>& cells, const RunRow& run, const Lookup& look
   add_pair(cells, swing ? std::optional(swing->amplitude) : std::nullopt, as_angle);
   cells.push_back(number_cell(lookup.restitution_of(run.key), as_count));
   add_restitution(cells, details.restitution);
+  if (lookup.has_contacts) {
+    add_contacts(cells, details.contacts);
+  }
   cells.push_back(number_cell(lookup.cost_of(run.key), fixed(1)));
 }
 

@@ -120,6 +120,33 @@ std::vector<std::string> pull_sentences(const RunDetails& details) {
   return sentences;
 }
 
+/// The contacts of elastic cables, a sentence each for their number and their worst errors.
+std::vector<std::string> contact_sentences(const ContactMatch& contacts) {
+  std::vector<std::string> sentences = {fmt::format(
+      "Contacts of elastic cables up to the predictability horizon: {} of {} exact ones "
+      "are matched, {} found.",
+      contacts.matched, contacts.exact, contacts.found)};
+  if (contacts.peak) {
+    sentences.push_back(
+        fmt::format("Largest tension of a contact: {}.",
+                    found_and_exact(contacts.peak->found, contacts.peak->exact, "N", 6)));
+  }
+  std::vector<std::string> errors;
+  const auto add = [&](const char* name, const std::optional<double>& error, const char* unit) {
+    if (error) {
+      errors.push_back(fmt::format("{} by {:.2g}{}", name, *error, unit));
+    }
+  };
+  add("a largest tension", contacts.peak_error, " %");
+  add("an impulse", contacts.impulse_error, " %");
+  add("a duration", contacts.time_error, " %");
+  add("a restitution", contacts.restitution_error, "");
+  if (!errors.empty()) {
+    sentences.push_back(fmt::format("Contacts are off at worst: {}.", fmt::join(errors, ", ")));
+  }
+  return sentences;
+}
+
 std::string restitution_sentence(const MeasuredRestitution& measured) {
   return fmt::format("Restitution of {}: {} in the mean, from {} to {}.",
                      counted(measured.count, "impact"), fixed_text(measured.mean, 4),
@@ -148,6 +175,10 @@ std::string sentences_of(const RunDetails& details, bool all, std::size_t width)
   }
   const std::vector<std::string> pulls = pull_sentences(details);
   sentences.insert(sentences.end(), pulls.begin(), pulls.end());
+  if (details.contacts) {
+    const std::vector<std::string> contacts = contact_sentences(*details.contacts);
+    sentences.insert(sentences.end(), contacts.begin(), contacts.end());
+  }
   if (all) {
     sentences.push_back(fmt::format("Recorded: {}.", counted(details.recorded_impacts, "impact")));
   }

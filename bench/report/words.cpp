@@ -219,12 +219,16 @@ std::string systems_sentence(const Report& report) {
                    [](const CaseRow& one) { return one.system.has_value(); })) {
     return "";
   }
-  const auto& left_out = report.in_the_plane_alone;
+  const auto left_out = [](const char* what, const std::vector<std::string>& models) {
+    return models.empty()
+               ? ""
+               : fmt::format(" Models that run {}: {}.", what,
+                             printable(fmt::format("{}", fmt::join(models, "; ")), 1024));
+  };
   return words::systems +
-         (left_out.empty()
-              ? ""
-              : " Models that run one body in the plane alone are left out: " +
-                    printable(fmt::format("{}", fmt::join(left_out, "; ")), 1024) + ".");
+         left_out("one body in the plane alone are left out", report.in_the_plane_alone) +
+         left_out("inextensible cables alone are left out of systems with elastic ones",
+                  report.inextensible_alone);
 }
 
 std::vector<Fact> context_facts(const Report& report) {

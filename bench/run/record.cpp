@@ -122,10 +122,16 @@ void ImpactDetector<TheCase>::take(double start, double dt, const State& before,
                              " impulses for " + std::to_string(bursts_.size()) + " cables");
   }
   const Eigen::Vector3d stray = unexplained(before, after, impulses, dt);
-  const bool shared = std::count_if(impulses.begin(), impulses.end(),
-                                    [this](double impulse) { return impulse > threshold_; }) > 1;
+  const auto hits = [&](std::size_t index) {
+    return impulses[index] > threshold_ && !is_elastic(case_.cables[index]);
+  };
+  std::size_t hit = 0;
   for (std::size_t index = 0; index < bursts_.size(); ++index) {
-    if (impulses[index] > threshold_) {
+    hit += hits(index) ? 1U : 0U;
+  }
+  const bool shared = hit > 1;
+  for (std::size_t index = 0; index < bursts_.size(); ++index) {
+    if (hits(index)) {
       extend(index, start, dt, before, after, impulses[index]);
       bursts_[index]->stray += stray;
       bursts_[index]->shared = bursts_[index]->shared || shared;
@@ -284,10 +290,79 @@ template <class TheCase>
 double worst_overstretch(const TheCase& the_case, const StateOf<TheCase>& state) {
   double worst = 0.0;
   for (const auto& cable : the_case.cables) {
-    worst = std::max(worst, -gap(cable, state));
+    worst = is_elastic(cable) ? worst : std::max(worst, -gap(cable, state));
   }
   return worst;
 }
+
+/// The contacts of elastic cables, from the impulses of the steps.
+template <class TheCase>
+class ContactRecorder {
+ public:
+  ContactRecorder(const TheCase& the_case, const BasicSimulation<TheCase>& simulation,
+                  std::vector<ElasticContact>& contacts)
+      : case_(the_case),
+        simulation_(simulation),
+        told_(dynamic_cast<const TensionImpulses*>(&simulation)),
+        open_(the_case.cables.size()),
+        contacts_(contacts) {}
+
+  /// Takes one step from `before` at `start` to `after`.
+  void take(double start, double dt, const StateOf<TheCase>& before,
+            const StateOf<TheCase>& after) {
+    const auto impulses =
+        told_ != nullptr ? told_->tension_impulses() : simulation_.impulses();  // [N s]
+    // a step with located events may have none
+    for (std::size_t index = 0; index < std::min(open_.size(), impulses.size()); ++index) {
+      const auto& cable = case_.cables[index];
+      if (!is_elastic(cable)) {
+        continue;
+      }
+      std::optional<ElasticContact>& contact = open_[index];
+      if (!(impulses[index] > 0.0)) {
+        close(contact, start, gap_rate(cable, before));
+        continue;
+      }
+      if (!contact) {
+        contact =
+            ElasticContact{.cable = index, .entry = start, .entry_speed = -gap_rate(cable, before)};
+      }
+      contact->impulse += impulses[index];
+      if (impulses[index] / dt > contact->peak) {
+        contact->peak = impulses[index] / dt;
+        contact->peak_time = start + 0.5 * dt;
+      }
+      contact->greatest_stretch =
+          std::max({contact->greatest_stretch, -gap(cable, before), -gap(cable, after)});
+    }
+  }
+
+  /// Those that go on have no exit.
+  void finish() {
+    for (const std::optional<ElasticContact>& contact : open_) {
+      if (contact) {
+        contacts_.push_back(*contact);
+      }
+    }
+    std::ranges::stable_sort(contacts_, {}, &ElasticContact::entry);
+  }
+
+ private:
+  void close(std::optional<ElasticContact>& contact, double exit, double speed) {
+    if (contact) {
+      contact->exit = exit;
+      contact->exit_speed = speed;
+      contacts_.push_back(*contact);
+      contact.reset();
+    }
+  }
+
+  const TheCase& case_;
+  const BasicSimulation<TheCase>& simulation_;
+  const TensionImpulses* told_;  // null: elastic cables are in the impulses of the simulation
+  std::vector<std::optional<ElasticContact>> open_;  // by cable
+  std::vector<ElasticContact>& contacts_;
+};
 
 /// The tensions of a run, from the impulses of its steps.
 template <class TheCase>
@@ -378,6 +453,7 @@ BasicTrajectory<TheCase> record(const TheCase& the_case,
   run.stop = simulation.stopped();
   ImpactDetector<TheCase> detector(the_case, options.slowest);
   TensionRecorder<TheCase> tensions(the_case, simulation, run);
+  ContactRecorder<TheCase> contacts(the_case, simulation, run.contacts);
   for (std::size_t index = 0; index < steps && !run.stop; ++index) {
     const double start = static_cast<double>(index) * step;
     const bool last = index + 1 == steps;
@@ -393,6 +469,7 @@ BasicTrajectory<TheCase> record(const TheCase& the_case,
     }
     detector.take(start, dt, before, now, simulation);
     tensions.take_step();
+    contacts.take(start, dt, before, now);
     run.overstretch = std::max(run.overstretch, worst_overstretch(the_case, now));
     run.largest_energy = std::max(run.largest_energy, energy(the_case, now));
     if (last || run.stop || (index + 1) % run.stride == 0) {
@@ -404,6 +481,7 @@ BasicTrajectory<TheCase> record(const TheCase& the_case,
     throw std::runtime_error("the engine stopped at a time that is not in the run");
   }
   detector.finish(run);
+  contacts.finish();
   return run;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tautline/case.hpp"
+#include "tautline/elastic_contacts.hpp"
 #include "tautline/engine.hpp"
 
 namespace tautline::bench {
@@ -50,8 +51,11 @@ struct BasicTrajectory {
   /// no number at the start. Without that of located impacts. Empty: the engine tells of none.
   std::vector<double> tensions;
   std::vector<BasicRecordedImpact<TheCase>> impacts;  // in rising time, all but the slow ones
-  std::size_t slow_impacts = 0;   // the others: chatter of a cable that is as good as taut
-  double overstretch = 0.0;       // [m], the largest, over every step
+  std::size_t slow_impacts = 0;  // the others: chatter of a cable that is as good as taut
+  /// Of elastic cables, by rising entry: entry and exit are starts of steps, the first in which a
+  /// cable pulls and the first in which it does not; tensions are means over a step.
+  std::vector<ElasticContact> contacts;
+  double overstretch = 0.0;       // [m], the largest of inextensible cables, over every step
   double largest_energy = 0.0;    // [J], over every step
   std::optional<StopOfRun> stop;  // set when the simulation could not go on
   bool diverged = false;          // the state left every reasonable range, or is not finite

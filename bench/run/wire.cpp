@@ -144,6 +144,7 @@ struct NumberWriter {
     const auto number = static_cast<double>(value);
     numbers.push_back(std::isfinite(number) ? number : no_number);
   }
+  void operator()(const std::optional<double>& value) { (*this)(value.value_or(no_number)); }
   template <class Item>
   void fit(const std::vector<Item>& items, std::size_t /*most*/ = 0) {
     (*this)(items.size());
@@ -169,6 +170,11 @@ struct NumberReader {
     }
     value = static_cast<Value>(numbers.front());
     numbers = numbers.subspan(1);
+  }
+  void operator()(std::optional<double>& value) {
+    double number = 0.0;
+    (*this)(number);
+    value = std::isnan(number) ? std::nullopt : std::optional(number);
   }
   template <class Item>
   void fit(std::vector<Item>& items, std::size_t most = std::numeric_limits<std::size_t>::max()) {
@@ -215,6 +221,18 @@ void pass_impact(auto& numbers, auto& impact) {
   numbers(impact.rate_first);
 }
 
+void pass_contact(auto& numbers, auto& contact) {
+  numbers(contact.cable);
+  numbers(contact.entry);
+  numbers(contact.exit);
+  numbers(contact.entry_speed);
+  numbers(contact.exit_speed);
+  numbers(contact.peak);
+  numbers(contact.peak_time);
+  numbers(contact.greatest_stretch);
+  numbers(contact.impulse);
+}
+
 void pass_run(auto& numbers, auto& run) {
   numbers(run.cost.step);
   numbers(run.cost.memory);
@@ -244,6 +262,10 @@ void pass_run(auto& numbers, auto& run) {
   for (auto& impact : trajectory.impacts) {
     pass_impact(numbers, impact);
   }
+  numbers.fit(trajectory.contacts);
+  for (auto& contact : trajectory.contacts) {
+    pass_contact(numbers, contact);
+  }
 }
 
 /// Throws where the parts of a run do not fit each other, so that no reader looks past their ends.
@@ -252,8 +274,9 @@ void require_whole(const BasicRunAnswer<TheCase>& run) {
   const BasicTrajectory<TheCase>& trajectory = run.trajectory;
   const std::size_t points = trajectory.points.size();
   const bool fits = points > 0 && trajectory.tensions.size() % points == 0;
-  const auto is_of_a_cable = [](const auto& impact) { return impact.cable < max_cables; };
-  if (!fits || !std::all_of(trajectory.impacts.begin(), trajectory.impacts.end(), is_of_a_cable)) {
+  const auto is_of_a_cable = [](const auto& one) { return one.cable < max_cables; };
+  if (!fits || !std::ranges::all_of(trajectory.impacts, is_of_a_cable) ||
+      !std::ranges::all_of(trajectory.contacts, is_of_a_cable)) {
     throw std::out_of_range("the parts of a run do not fit each other");
   }
 }

@@ -38,8 +38,24 @@ void judge_models(const std::vector<RunRecord>& runs, Report& report) {
   std::move(others.begin(), others.end(), std::back_inserter(report.findings));
 }
 
-/// Tells what models do with systems, where there is one, and leaves out those of elastic cables
-/// where there is none.
+/// "engine: all", or the names of the models of `engine` that `is` chooses, if any.
+template <class Is>
+void add_names(std::vector<std::string>& list, const EngineRow& engine, const Is& is) {
+  std::vector<std::string> names;
+  for (const Model& model : engine.info->models) {
+    if (is(model)) {
+      names.push_back(model.name);
+    }
+  }
+  if (!names.empty()) {
+    const bool all = names.size() == engine.info->models.size();
+    list.push_back(engine.name + ": " +
+                   (all ? std::string("all") : fmt::format("{}", fmt::join(names, ", "))));
+  }
+}
+
+/// Leaves out models of elastic cables where no case has one, and tells what models do with
+/// systems, where there is one.
 void tell_of_systems(const SuiteOptions& options, Report& report) {
   const bool any =
       std::any_of(options.cases.begin(), options.cases.end(),
@@ -48,26 +64,28 @@ void tell_of_systems(const SuiteOptions& options, Report& report) {
     return std::visit([](const auto& any_case) { return first_elastic(any_case).has_value(); },
                       one);
   });
+  const bool all_models = options.models.empty();
   for (EngineRow& engine : report.engines) {
     if (!engine.info) {
       continue;
     }
-    std::vector<std::string> not_run;
+    if (!any_elastic && all_models) {
+      std::erase_if(engine.info->models,
+                    [](const Model& model) { return model.cables == Cables::elastic; });
+    }
+    if (any && all_models) {
+      add_names(report.in_the_plane_alone, engine,
+                [](const Model& model) { return !model.in_space; });
+    }
+    if (any_elastic && all_models) {
+      add_names(report.inextensible_alone, engine, [](const Model& model) {
+        return model.in_space && model.cables == Cables::inextensible;
+      });
+    }
     for (Model& model : engine.info->models) {
-      if (any && !model.in_space && options.models.empty()) {
-        not_run.push_back(model.name);
-      }
       model.in_space = any ? model.in_space : std::nullopt;
+      model.cables = any_elastic ? model.cables : Cables::inextensible;
     }
-    if (any && not_run.size() == engine.info->models.size() && !not_run.empty()) {
-      report.in_the_plane_alone.push_back(engine.name + ": all");
-    } else if (!not_run.empty()) {
-      report.in_the_plane_alone.push_back(
-          fmt::format("{}: {}", engine.name, fmt::join(not_run, ", ")));
-    }
-    std::erase_if(engine.info->models, [&](const Model& model) {
-      return model.cables == Cables::elastic && !any_elastic && options.models.empty();
-    });
   }
 }
 

@@ -111,6 +111,7 @@ RunDetails details_of(const Metrics& metrics, const BasicTrajectory<TheCase>& ru
   details.rest_tension = metrics.rest_tension;
   details.largest_tension = metrics.largest_tension;
   details.first_impulse = metrics.first_impulse;
+  details.contacts = metrics.contacts;
   details.stride = run.stride;
   details.recorded_impacts = run.impacts.size();
   details.slow_impacts = run.slow_impacts;

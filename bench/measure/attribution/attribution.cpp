@@ -423,6 +423,9 @@ Attribution attribute(const Case& the_case, const Solution& solution, double hor
 Attribution attribute(const SpatialSystem& system, const BasicSolution<SpatialSystem>& solution,
                       double horizon, const SystemTrajectory& run,
                       const AttributionOptions& options) {
+  if (std::ranges::any_of(system.cables, [](const SpatialCable& one) { return is_elastic(one); })) {
+    return nothing("elastic cables have no impacts, which attribution goes by");
+  }
   return attributed<SystemReading>(system, solution, horizon, run, options);
 }
 

@@ -218,6 +218,16 @@ void fields(Visitor& visit, Model& model) {
         inside("in_space", settings,
                "what is set for a system in space, in place of settings of the same name");
       });
+  std::optional<Cables> cables;
+  if (model.cables != Cables::inextensible) {
+    cables = model.cables;
+  }
+  visit.unless_missing("cables", cables, [](auto& inside, Cables& word) {
+    inside("cables", word,
+           "the cables of the cases that it runs: all inextensible where this is missing, elastic "
+           "one or more, any both");
+  });
+  model.cables = cables.value_or(Cables::inextensible);
 }
 
 /// An engine that could not be asked has a name alone.

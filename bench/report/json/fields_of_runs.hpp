@@ -154,6 +154,23 @@ void fields(Visitor& visit, ExactAndFound& both) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, ContactMatch& contacts) {
+  visit.means(
+      "contacts of elastic cables up to the horizon; the errors are the worst of the pairs, null "
+      "without a pair that has ended on both sides");
+  visit("exact", contacts.exact, "counted contacts of the exact motion");
+  visit("found", contacts.found, "counted contacts of the run");
+  visit("matched", contacts.matched, "pairs, one to one");
+  visit("peak", contacts.peak,
+        "the largest tension [N], the run's a mean over a step; null without a pair");
+  visit("peak_error", contacts.peak_error, "of a contact's largest tension [%]");
+  visit("impulse_error", contacts.impulse_error, "of a contact's impulse [%]");
+  visit("time_error", contacts.time_error, "of the time that a contact lasts [%]");
+  visit("restitution_error", contacts.restitution_error,
+        "of a contact's exit speed over its entry speed [-]");
+}
+
+template <class Visitor>
 void fields(Visitor& visit, SwingMatch& swing) {
   visit("from", swing.from, "[s]");
   visit("until", swing.until, "one period of the exact swing later [s]");
@@ -192,6 +209,9 @@ void fields(Visitor& visit, RunDetails& details) {
         "none, or the engine does not tell its tensions");
   visit("first_impulse", details.first_impulse,
         "of the first counted impact [N s]; null without one, or if several cables share it");
+  visit.unless_missing("contacts", details.contacts, [](auto& inside, ContactMatch& contacts) {
+    inside("contacts", contacts, "of elastic cables, where a case has one");
+  });
   visit("stride", details.stride, at_least(1, "every stride-th step was compared"));
   visit("recorded_impacts", details.recorded_impacts);
   visit("slow_impacts", details.slow_impacts, "slower than 1e-3, only counted: chatter");

@@ -60,6 +60,10 @@ struct Words<Maker> {
   static constexpr std::array all = {Maker::engine, Maker::by_hand, Maker::tautline};
 };
 template <>
+struct Words<Cables> {
+  static constexpr std::array all = {Cables::inextensible, Cables::elastic, Cables::any};
+};
+template <>
 struct Words<Origin> {
   static constexpr std::array all = {Origin::engine_default, Origin::engine_demo, Origin::ours};
 };

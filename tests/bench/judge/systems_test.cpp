@@ -7,7 +7,9 @@
 #include <string>
 
 #include "bench/judge/judgement.hpp"
+#include "bench/measure/attribution/attribution.hpp"
 #include "bench/measure/audit_impacts.hpp"
+#include "bench/measure/compare.hpp"
 #include "tests/bench/spoilt_scheme.hpp"
 
 namespace tautline::test {
@@ -100,6 +102,101 @@ TEST(JudgementOfSystems, TellsEnergyThatComesFromNowhere) {
   };
   EXPECT_GT(pushed(shipped("spherical-slack")).energy, most_energy);
   EXPECT_FALSE(pushed(planar("winch")).energy);  // which gives energy itself
+}
+
+/// A load of 1 kg that falls into two cables: an elastic one with the restitution 0.5 of a contact,
+/// and one without a stiffness, of restitution 0.5, that it reaches while it rises.
+SpatialSystem load_on_a_spring() {
+  SpatialSystem result;
+  result.name = "load-on-a-spring";
+  result.gravity = Function<3>::constant({0.0, -9.81, 0.0});
+  SpatialBody load;
+  load.mass = 1.0;
+  result.bodies = {load};
+  SpatialCable spring;
+  spring.from.at = {0.0, 0.0, 0.0};
+  spring.to.body = 0;
+  spring.length = Function<1>::constant(1.0);
+  spring.elasticity = Elasticity{{1e4}, 0.0, damping_ratio_of(0.5)};
+  SpatialCable rigid = spring;
+  rigid.from.at = {0.0, -2.4, 0.0};
+  rigid.length = Function<1>::constant(1.5);
+  rigid.restitution = 0.5;
+  rigid.elasticity.reset();
+  result.cables = {spring, rigid};
+  SpatialState start;
+  start.position = {0.0, -0.95, 0.0};
+  start.velocity = {0.0, -3.0, 0.0};
+  result.initial.bodies = {start};
+  result.duration = 0.3;
+  return result;
+}
+
+/// What is measured of the scheme on that load in steps of `dt` [s].
+struct Measured {
+  ContactMatch contacts;
+  Metrics metrics;
+  Judgement judgement;
+  SystemTrajectory run;
+  Attribution attribution;
+};
+Measured measured_on_a_spring(double dt, const Spoiled::Spoil& before = {}) {
+  const SpatialSystem system = load_on_a_spring();
+  const ReferenceSystem reference = solve_case(system, ImpactLaw::simultaneous);
+  const SystemExpectation expectation(reference);
+  Spoiled simulation(system, before, {});
+  Measured result;
+  result.run = record(system, simulation, dt);
+  result.metrics = compare(system, reference.solution, reference.settling, reference.horizon,
+                           result.run, CompareOptions());
+  result.contacts = result.metrics.contacts.value();
+  result.judgement =
+      judge(expectation, result.run, audited_impacts(reference, result.run), "float64");
+  result.attribution =
+      attribute(system, reference.solution, reference.horizon, result.run, AttributionOptions());
+  return result;
+}
+
+TEST(JudgementOfSystems, FindsNoFaultInASpringThatIsFollowed) {
+  const Measured found = measured_on_a_spring(1e-4);
+  ASSERT_GE(found.run.contacts.size(), 2U);
+  EXPECT_LT(found.judgement.overstretch, most_overstretch);
+  EXPECT_LT(found.run.overstretch, found.run.contacts.front().greatest_stretch);
+  EXPECT_FALSE(found.judgement.rebounds.wrong());
+  EXPECT_LE(found.judgement.following.ratio.value_or(0.0), 1.0);
+  EXPECT_LE(found.judgement.energy.value_or(0.0), most_energy);
+  for (const auto& impact : found.run.impacts) {
+    EXPECT_EQ(impact.cable, 1U) << "a contact is no impact";
+  }
+  EXPECT_FALSE(found.run.impacts.empty());
+  EXPECT_FALSE(found.attribution.reason.empty());
+}
+
+/// What a contact is off by is of the first order of the frequency times the step, 0.01 and 0.001;
+/// where in a step it begins may double that.
+TEST(JudgementOfSystems, ComparesContactsOfElasticCables) {
+  for (const double dt : {1e-4, 1e-5}) {
+    const ContactMatch contacts = measured_on_a_spring(dt).contacts;
+    EXPECT_GE(contacts.exact, 1U);
+    EXPECT_EQ(contacts.matched, contacts.exact) << dt;
+    EXPECT_EQ(contacts.found, contacts.exact) << dt;
+    ASSERT_TRUE(contacts.peak);
+    const double allowed = 4.0 * 100.0 * dt;  // [-]
+    EXPECT_NEAR(contacts.peak->found, contacts.peak->exact, allowed * contacts.peak->exact) << dt;
+    for (const auto& error : {contacts.peak_error, contacts.impulse_error, contacts.time_error}) {
+      EXPECT_LT(error.value_or(1e3), 100.0 * allowed) << dt;
+    }
+    EXPECT_LT(contacts.restitution_error.value_or(1e3), allowed) << dt;
+  }
+}
+
+/// Of a cable four times as stiff a contact lasts half as long, with twice the tension.
+TEST(JudgementOfSystems, TellsASpringThatIsTooStiff) {
+  const ContactMatch contacts = measured_on_a_spring(1e-5, [](Scheme& scheme, double) {
+                                  scheme.system().cables[0].elasticity->stiffness = {4e4};
+                                }).contacts;
+  EXPECT_NEAR(contacts.peak_error.value_or(0.0), 100.0, 5.0);
+  EXPECT_NEAR(contacts.time_error.value_or(0.0), 50.0, 5.0);
 }
 
 }  // namespace

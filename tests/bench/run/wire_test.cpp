@@ -53,6 +53,8 @@ TEST(Wire, ARunComesBitForBit) {
   run.trajectory.points = {{0.0, some_state()}, {0.3, State()}};
   run.trajectory.impacts = {
       {0.25, 7, 1.5, -1.0, 0.5, 2, some_state(), State(), {1.0, 2.0, 3.0}, 0.3, true}};
+  run.trajectory.contacts = {{3, 0.1, 0.2, 1.0, 0.5, 40.0, 0.15, 0.01, 2.5},
+                             {4, 0.2, std::nullopt, 1.5, 0.0, 30.0, 0.25, 0.02, 3.5}};
   run.trajectory.slow_impacts = 123'456'789;
   run.trajectory.overstretch = 1e-9;
   run.trajectory.largest_energy = 2.0;
@@ -91,6 +93,18 @@ TEST(Wire, ARunComesBitForBit) {
   EXPECT_EQ(impact.stray, Eigen::Vector3d(1.0, 2.0, 3.0));
   EXPECT_TRUE(impact.shared);
   expect_same(impact.before, some_state());
+  ASSERT_EQ(read.trajectory.contacts.size(), 2U);
+  const ElasticContact& contact = read.trajectory.contacts.front();
+  EXPECT_EQ(contact.cable, 3U);
+  EXPECT_EQ(contact.entry, 0.1);
+  EXPECT_EQ(contact.exit, 0.2);
+  EXPECT_EQ(contact.entry_speed, 1.0);
+  EXPECT_EQ(contact.exit_speed, 0.5);
+  EXPECT_EQ(contact.peak, 40.0);
+  EXPECT_EQ(contact.peak_time, 0.15);
+  EXPECT_EQ(contact.greatest_stretch, 0.01);
+  EXPECT_EQ(contact.impulse, 2.5);
+  EXPECT_FALSE(read.trajectory.contacts.back().exit);
 }
 
 TEST(Wire, WhatIsNotFiniteComesAsNoNumber) {

@@ -69,6 +69,17 @@ enum class Cables {
   elastic,       // one of a system, or more (`SpatialCable::elasticity`)
   any,           // both kinds of cases
 };
+[[nodiscard]] constexpr const char* to_string(Cables cables) {
+  switch (cables) {
+    case Cables::inextensible:
+      return "inextensible";
+    case Cables::elastic:
+      return "elastic";
+    case Cables::any:
+      return "any";
+  }
+  return "";
+}
 
 /// A number of a model that a run may set, such as a stiffness.
 struct Parameter {

@@ -1,0 +1,65 @@
+#include "bench/measure/contact_match.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "bench/base/listed.hpp"
+#include "bench/measure/impact_match.hpp"
+
+namespace tautline::bench {
+namespace {
+
+std::vector<ElasticContact> faster_than(double speed, const std::vector<ElasticContact>& all) {
+  std::vector<ElasticContact> result;
+  std::ranges::copy_if(all, std::back_inserter(result),
+                       [&](const ElasticContact& one) { return one.entry_speed > speed; });
+  return result;
+}
+
+std::vector<CountedImpact> entries(const std::vector<ElasticContact>& contacts) {
+  return listed(contacts, [](const ElasticContact& one) {
+    return CountedImpact{one.entry, one.cable};
+  });
+}
+
+double percent_off(double found, double exact) { return 100.0 * std::abs(found / exact - 1.0); }
+
+void raise(std::optional<double>& worst, double error) {
+  worst = std::max(worst.value_or(0.0), error);
+}
+
+}  // namespace
+
+ContactMatch match_contacts(const std::vector<ElasticContact>& exact,
+                            const std::vector<ElasticContact>& found, double count_speed,
+                            double end) {
+  const std::vector<ElasticContact> right = faster_than(count_speed, exact);
+  const std::vector<ElasticContact> of_run = faster_than(count_speed, found);
+  const ImpactPairs pairs = match_impacts(entries(right), entries(of_run));
+  const ImpactMatch counts = impacts_until(end, entries(right), entries(of_run), pairs);
+  ContactMatch result;
+  result.exact = counts.exact;
+  result.found = counts.found;
+  result.matched = counts.matched;
+  for (const auto& [i, j] : pairs) {
+    const ElasticContact& one = right[i];
+    const ElasticContact& other = of_run[j];
+    if (one.entry > end) {
+      continue;
+    }
+    if (!result.peak || one.peak > result.peak->exact) {
+      result.peak = ExactAndFound{one.peak, other.peak};
+    }
+    raise(result.peak_error, percent_off(other.peak, one.peak));
+    if (one.exit && other.exit) {
+      raise(result.impulse_error, percent_off(other.impulse, one.impulse));
+      raise(result.time_error, percent_off(*other.exit - other.entry, *one.exit - one.entry));
+      raise(result.restitution_error, std::abs(other.exit_speed / other.entry_speed -
+                                               one.exit_speed / one.entry_speed));
+    }
+  }
+  return result;
+}
+
+}  // namespace tautline::bench

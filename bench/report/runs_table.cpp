@@ -26,7 +26,7 @@ bool has_contacts(const Report& report) {
       report.runs, [](const RunRow& run) { return run.details && run.details->contacts; });
 }
 
-/// Of elastic cables; a report without them has no such columns.
+/// A report without elastic cables has none of them.
 std::vector<Column> contact_columns() {
   const std::string contacts = "contacts to the horizon";
   const std::string peak = "largest tension of a contact";

@@ -52,8 +52,8 @@ struct BasicTrajectory {
   std::vector<double> tensions;
   std::vector<BasicRecordedImpact<TheCase>> impacts;  // in rising time, all but the slow ones
   std::size_t slow_impacts = 0;  // the others: chatter of a cable that is as good as taut
-  /// Of elastic cables, by rising entry: entry and exit are starts of steps, the first in which a
-  /// cable pulls and the first in which it does not; tensions are means over a step.
+  /// Those of elastic cables, by rising entry: entry and exit are starts of steps, the first in
+  /// which a cable pulls and the first in which it does not; tensions are means over a step.
   std::vector<ElasticContact> contacts;
   double overstretch = 0.0;       // [m], the largest of inextensible cables, over every step
   double largest_energy = 0.0;    // [J], over every step

@@ -55,8 +55,8 @@ ContactMatch match_contacts(const std::vector<ElasticContact>& exact,
     if (one.exit && other.exit) {
       raise(result.impulse_error, percent_off(other.impulse, one.impulse));
       raise(result.time_error, percent_off(*other.exit - other.entry, *one.exit - one.entry));
-      raise(result.restitution_error, std::abs(other.exit_speed / other.entry_speed -
-                                               one.exit_speed / one.entry_speed));
+      raise(result.restitution_error,
+            std::abs(other.exit_speed / other.entry_speed - one.exit_speed / one.entry_speed));
     }
   }
   return result;

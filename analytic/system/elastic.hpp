@@ -75,30 +75,33 @@ template <class Real, int D>
   return state;
 }
 
+/// Sorts elastic cable `index` in `state` by the sign of its tension, if it is `stretched` now;
+/// else it is slack.
+template <class Real, int D>
+void sort_zone(const BasicSystem<Real, D>& system, std::size_t index, bool stretched,
+               BasicSystemState<Real, D>& state) {
+  if (stretched && !is_stretched(state, index)) {
+    begin_stretch(system, index, state);
+  }
+  const bool pulls = stretched && elastic_tension(system, index, state) > 0;
+  state.elastic.engaged.erase(index);
+  state.elastic.loose.erase(index);
+  if (stretched) {
+    (pulls ? state.elastic.engaged : state.elastic.loose).insert(index);
+  }
+}
+
 /// `state` with the zones that elastic cables have where rates may have jumped, and where they
 /// begin or cease to act: at the start, at knots and after impacts.
 template <class Real, int D>
 [[nodiscard]] BasicSystemState<Real, D> with_zones(const BasicSystem<Real, D>& system,
                                                    BasicSystemState<Real, D> state) {
-  auto& [engaged, loose, damping] = state.elastic;
   for (std::size_t index = 0; index < system.cables.size(); ++index) {
     const auto& cable = system.cables[index];
-    if (!cable.elasticity) {
-      continue;
-    }
-    if (cable.from_time.value_or(Real(0)) == state.time && !is_stretched(state, index) &&
-        gap(cable, state) < 0) {
-      begin_stretch(system, index, state);
-    }
-    if (!is_stretched(state, index)) {
-      continue;
-    }
-    const bool acts = cable.acts_at(state.time);
-    const bool pulls = acts && elastic_tension(system, index, state) > 0;
-    engaged.erase(index);
-    loose.erase(index);
-    if (acts) {
-      (pulls ? engaged : loose).insert(index);
+    if (cable.elasticity &&
+        (is_stretched(state, index) ||
+         (cable.from_time.value_or(Real(0)) == state.time && gap(cable, state) < 0))) {
+      sort_zone(system, index, cable.acts_at(state.time), state);
     }
   }
   return state;

@@ -70,13 +70,10 @@ Meter own_meter() { return {thread_time, peak_memory}; }
 std::unique_ptr<SystemSimulation> started(const Engine& engine, const SpatialSystem& system,
                                           const std::string& model, const RunSettings& settings) {
   const EngineInfo info = engine.info();
-  Model listed;
-  listed.name = model;
-  if (const auto found = std::ranges::find(info.models, model, &Model::name);
-      found != info.models.end()) {
-    listed = *found;
+  const auto listed = std::ranges::find(info.models, model, &Model::name);
+  if (listed != info.models.end()) {  // of another model the engine says that there is none
+    check_cables_of(*listed, system);
   }
-  check_cables_of(listed, system);
   return engine.start_system(system, model, settings);
 }
 

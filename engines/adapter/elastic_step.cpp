@@ -6,19 +6,8 @@ namespace tautline {
 
 SpatialSystemState with_zones_of_step(const SpatialSystem& system, SpatialSystemState state) {
   for (std::size_t index = 0; index < system.cables.size(); ++index) {
-    const SpatialCable& cable = system.cables[index];
-    if (!cable.elasticity) {
-      continue;
-    }
-    const bool stretched = gap(cable, state) < 0.0;
-    if (stretched && !is_stretched(state, index)) {
-      begin_stretch(system, index, state);
-    }
-    const bool pulls = stretched && elastic_tension(system, index, state) > 0.0;
-    state.elastic.engaged.erase(index);
-    state.elastic.loose.erase(index);
-    if (stretched) {
-      (pulls ? state.elastic.engaged : state.elastic.loose).insert(index);
+    if (system.cables[index].elasticity) {
+      sort_zone(system, index, gap(system.cables[index], state) < 0.0, state);
     }
   }
   return state;

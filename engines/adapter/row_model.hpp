@@ -56,7 +56,10 @@ class RowSimulation final : public BasicSimulation<TheCase>, public TensionImpul
   }
 
   /// Adds these to the loads of the next step.
-  void pull(const std::vector<BodyLoad>& loads) { world_.add(loads); }
+  void pull(const std::vector<BodyLoad>& loads) {
+    pulls_ = loads;
+    world_.add(loads);
+  }
 
   void step(double dt) override {
     world_.advance(dt, [this, dt] { look(dt); });
@@ -69,7 +72,7 @@ class RowSimulation final : public BasicSimulation<TheCase>, public TensionImpul
     if (asleep()) {
       return;
     }
-    if (const auto moved = out_of_overstretch(case_, world_.state(), correction_, dt)) {
+    if (const auto moved = out_of_overstretch(case_, world_.state(), correction_, dt, pulls_)) {
       world_.place(*moved);
     }
   }
@@ -90,7 +93,7 @@ class RowSimulation final : public BasicSimulation<TheCase>, public TensionImpul
       const auto row = row_in_step(cable, now, dt);
       if (acts(row, activation_, dt)) {
         const double rate = wanted_rate(row, restitution(cable, row.rate), correction_,
-                                        change_in_step(case_, index, now, dt));
+                                        change_in_step(case_, index, now, dt, pulls_));
         world_.pull(index, row, rate_of_bodies(row, rate));
       } else {
         world_.let_go(index);
@@ -103,6 +106,7 @@ class RowSimulation final : public BasicSimulation<TheCase>, public TensionImpul
   double correction_;  // [1/s], part of the overstretch
   RowWorld world_;
   Clock clock_;
+  std::vector<BodyLoad> pulls_;  // of the step; empty: none
   std::vector<double> impulses_;
   std::vector<double> tension_impulses_;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -11,6 +13,7 @@
 #include "tautline/clock.hpp"
 #include "tautline/elastic_step.hpp"
 #include "tautline/model_table.hpp"
+#include "tautline/system_loads.hpp"
 
 // For engines that take forces of their user's own. `Stepped` is a simulation of a system with such
 // an engine in fixed steps, whose cables are inextensible. It is a SteppedSystemSimulation, or a
@@ -19,6 +22,8 @@
 //   Stepped(system, run, own...)
 //   void pull(const std::vector<BodyLoad>& loads)   adds these forces and moments to those of the
 //                                                   next step
+//
+// It throws CableRefused for a cable that it cannot do.
 
 namespace tautline {
 
@@ -30,7 +35,7 @@ class SpringSimulation final : public SteppedSystemSimulation {
   template <class... Own>
   SpringSimulation(const SpatialSystem& system, const RunSettings& run, const Own&... own)
       : system_(system),
-        stepped_(without_elastic(system), run, own...),
+        stepped_(of_the_others(system, run, own...)),
         impulses_(system.cables.size()) {}
 
   [[nodiscard]] SpatialSystemState state() const override { return stepped_.state(); }
@@ -38,11 +43,18 @@ class SpringSimulation final : public SteppedSystemSimulation {
   [[nodiscard]] std::optional<StopOfRun> stopped() const override { return stepped_.stopped(); }
 
   void step(double dt) override {
+    std::fill(impulses_.begin(), impulses_.end(), 0.0);
+    if (stopped()) {
+      return;
+    }
     SpatialSystemState start = at_time_of_step(stepped_.state(), clock_);
     start.elastic = zones_;
     start = with_zones_of_step(system_, std::move(start));
     stepped_.pull(elastic_loads(system_, start));
     stepped_.step(dt);
+    if (stopped()) {
+      return;
+    }
     clock_.advance(dt);
     zones_ = start.elastic;
     impulses_ = elastic_impulses(system_, start, dt);
@@ -55,10 +67,24 @@ class SpringSimulation final : public SteppedSystemSimulation {
   }
 
  private:
-  [[nodiscard]] static SpatialSystem without_elastic(SpatialSystem system) {
-    std::erase_if(system.cables,
-                  [](const SpatialCable& one) { return one.elasticity.has_value(); });
-    return system;
+  /// A run without the elastic cables, whose refusals name the cables by their numbers in `system`.
+  template <class... Own>
+  [[nodiscard]] static Stepped of_the_others(const SpatialSystem& system, const RunSettings& run,
+                                             const Own&... own) {
+    SpatialSystem others = system;
+    others.cables.clear();
+    std::vector<std::size_t> numbers;  // of its cables in `system`
+    for (std::size_t index = 0; index < system.cables.size(); ++index) {
+      if (!system.cables[index].elasticity) {
+        others.cables.push_back(system.cables[index]);
+        numbers.push_back(index);
+      }
+    }
+    try {
+      return Stepped(others, run, own...);
+    } catch (const CableRefused& refused) {
+      throw refused.of(numbers[refused.index()]);
+    }
   }
 
   const SpatialSystem system_;

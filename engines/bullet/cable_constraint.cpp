@@ -67,8 +67,8 @@ SystemCableConstraints::SystemCableConstraints(const SpatialSystem& system, Syst
     bodies_.push_back(pulled_bodies(system.cables[index]));
     const std::vector<std::size_t>& on = bodies_.back();
     if (on.size() > 2) {
-      throw std::invalid_argument("unsupported: Bullet's constraints join two bodies, cable " +
-                                  std::to_string(index) + " pulls at " + std::to_string(on.size()));
+      throw CableRefused("Bullet's constraints join two bodies", index,
+                         "pulls at " + std::to_string(on.size()));
     }
     add(on.size() == 1 ? std::make_unique<CableConstraint>(world.body(on[0]))
                        : std::make_unique<CableConstraint>(world.body(on[0]), world.body(on[1])),

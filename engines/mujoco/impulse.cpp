@@ -22,12 +22,15 @@ class ImpulseSimulation final : public BasicSteppedSimulation<TheCase> {
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
 
   /// Adds these to the loads of the next step.
-  void pull(const std::vector<BodyLoad>& loads) { world_.add(loads); }
+  void pull(const std::vector<BodyLoad>& loads) {
+    pulls_ = loads;
+    world_.add(loads);
+  }
 
   void step(double dt) override {
     pull_overstretched(dt);
     world_.advance(dt);
-    if (const auto moved = out_of_overstretch(case_, world_.state(), correction_, dt)) {
+    if (const auto moved = out_of_overstretch(case_, world_.state(), correction_, dt, pulls_)) {
       world_.place(*moved);
     }
   }
@@ -45,7 +48,7 @@ class ImpulseSimulation final : public BasicSteppedSimulation<TheCase> {
       if (acts(row, Activation::overstretched, dt)) {
         cables.insert(index);
         rates[count++] = wanted_rate(row, restitution(case_.cables[index], row.rate), correction_,
-                                     change_in_step(case_, index, now, dt));
+                                     change_in_step(case_, index, now, dt, pulls_));
       }
     }
     if (cables.empty()) {
@@ -61,6 +64,7 @@ class ImpulseSimulation final : public BasicSteppedSimulation<TheCase> {
   const TheCase case_;
   double correction_;  // [1/s], part of the overstretch
   TheWorld world_;
+  std::vector<BodyLoad> pulls_;  // of the step; empty: none
   std::vector<double> impulses_;
 };
 

@@ -62,7 +62,10 @@ class FixedStepSimulation final : public BasicSteppedSimulation<TheCase> {
   [[nodiscard]] std::span<const double> impulses() const override { return world_.impulses(); }
 
   /// Adds these to the loads of the next step.
-  void pull(const std::vector<BodyLoad>& loads) { world_.add(loads); }
+  void pull(const std::vector<BodyLoad>& loads) {
+    pulls_ = loads;
+    world_.add(loads);
+  }
 
   void step(double dt) override {
     const StateOf<TheCase> start = at_time_of_step(world_.state(), clock_);
@@ -72,7 +75,7 @@ class FixedStepSimulation final : public BasicSteppedSimulation<TheCase> {
       if (acts(row_now, choice_.activation, dt)) {
         dSurfaceParameters made =
             surface(parameter_of(run_, "bounce", restitution(cable, row_now.rate)),
-                    erp(row_now, change_in_step(case_, index, start, dt), dt));
+                    erp(row_now, change_in_step(case_, index, start, dt, pulls_), dt));
         if (const double moving = rate_of_bodies(row_now, 0.0); moving != 0.0) {
           made.mode |= dContactMotionN;
           made.motionN = moving;
@@ -85,7 +88,7 @@ class FixedStepSimulation final : public BasicSteppedSimulation<TheCase> {
     if (choice_.push != Push::by_rule) {
       return;
     }
-    if (const auto moved = out_of_overstretch(case_, world_.state(), correction(), dt)) {
+    if (const auto moved = out_of_overstretch(case_, world_.state(), correction(), dt, pulls_)) {
       world_.place(*moved);
     }
   }
@@ -122,6 +125,7 @@ class FixedStepSimulation final : public BasicSteppedSimulation<TheCase> {
   RunSettings run_;
   TheWorld world_;
   Clock clock_;
+  std::vector<BodyLoad> pulls_;  // of the step; empty: none
 };
 
 /// What the surface of the joint is given in all models.

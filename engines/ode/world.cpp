@@ -188,8 +188,8 @@ SystemWorld::SystemWorld(const SpatialSystem& system, Rotation rotation)
 void check_contacts(const SpatialSystem& system) {
   for (std::size_t index = 0; index < system.cables.size(); ++index) {
     if (!pulls_along_a_line(system.cables[index])) {
-      throw std::invalid_argument("unsupported: a contact of ODE pulls along one line, cable " +
-                                  std::to_string(index) + " runs over a ring between bodies");
+      throw CableRefused("a contact of ODE pulls along one line", index,
+                         "runs over a ring between bodies");
     }
   }
 }

@@ -143,9 +143,8 @@ void check_cables(const SpatialSystem& system) {
       moves = moves || !cable.end(i).motion.empty();
     }
     if (moves || pulled_bodies(cable).size() > 2) {
-      throw std::invalid_argument(
-          "unsupported: a relation of Siconos joins one body or two and knows no time, cable " +
-          std::to_string(index) + (moves ? " changes over time" : " joins more"));
+      throw CableRefused("a relation of Siconos joins one body or two and knows no time", index,
+                         moves ? "changes over time" : "joins more");
     }
   }
 }

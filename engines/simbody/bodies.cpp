@@ -65,10 +65,8 @@ void check_cables(const SpatialSystem& system) {
     const SpatialCable& cable = system.cables[index];
     if (!cable.length.is_constant() || !cable.from.motion.empty() || !cable.to.motion.empty() ||
         cable.from_time || cable.cut_at) {
-      throw std::invalid_argument(
-          "unsupported: a rope of Simbody has one length between points that stay where they are, "
-          "cable " +
-          std::to_string(index) + " changes over time");
+      throw CableRefused("a rope of Simbody has one length between points that stay where they are",
+                         index, "changes over time");
     }
   }
 }

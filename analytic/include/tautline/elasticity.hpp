@@ -111,12 +111,15 @@ template <class Real>
   if (!(restitution > 0)) {
     return infinity<Real>();
   }
+  if (!(restitution < 1)) {
+    return Real(0);
+  }
   Real low(0);
   Real high = 1 / (2 * sqrt(restitution));  // the restitution is below 1 / (4 ratio^2)
   while (true) {
     const Real middle = low + (high - low) / 2;
     if (!(low < middle && middle < high)) {
-      return restitution < 1 ? high : Real(0);
+      return high;
     }
     (restitution_of(middle) > restitution ? low : high) = middle;
   }

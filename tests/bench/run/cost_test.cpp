@@ -37,7 +37,11 @@ class CountingEngine final : public Engine {
  public:
   explicit CountingEngine(Ways& ways) : ways_(ways) {}
 
-  [[nodiscard]] EngineInfo info() const override { return {}; }
+  [[nodiscard]] EngineInfo info() const override {
+    EngineInfo result;
+    result.models = {{.name = "m", .sentence = "It counts."}};
+    return result;
+  }
   [[nodiscard]] std::unique_ptr<Simulation> start(const Case& /*the_case*/,
                                                   std::string_view /*model*/,
                                                   const RunSettings& /*settings*/) const override {

@@ -11,8 +11,21 @@
 #include "tautline/case_or_system.hpp"
 #include "tautline/clock.hpp"
 #include "tautline/impulses_by_hand.hpp"
+#include "tautline/system_loads.hpp"
 
 namespace tautline {
+
+/// The forces in the world [N] and the moments in the bodies' own axes [N m] of `loads`.
+[[nodiscard]] inline RowOf<SpatialSystem> wrench_of(const std::vector<BodyLoad>& loads,
+                                                    const SpatialSystemState& state) {
+  RowOf<SpatialSystem> result = no_change(state);
+  for (std::size_t index = 0; index < loads.size(); ++index) {
+    const auto row = static_cast<Eigen::Index>(6 * index);
+    result.segment<3>(row) = loads[index].force;
+    result.segment<3>(row + 3) = in_the_body(state.bodies[index], loads[index].moment);
+  }
+  return result;
+}
 
 /// One cable at one pose, as a one-sided constraint row of an engine sees it: an impulse >= 0 along
 /// `towards`, at `point`, that raises the gap rate.
@@ -128,21 +141,31 @@ template <class Row>
 }
 
 /// By how much the gap rate of cable `index` changes at most in a step of `dt` [s] from `state` in
-/// which it is not hit [m/s], >= 0: by gravity, and as cable and body turn.
+/// which it is not hit [m/s], >= 0: by gravity, and as cable and body turn. Nothing else pulls at
+/// the body of a case.
 [[nodiscard]] inline double change_in_step(const Case& the_case, std::size_t index,
-                                           const State& state, double dt) {
+                                           const State& state, double dt,
+                                           const std::vector<BodyLoad>& /*pulls*/ = {}) {
   const Cable& cable = the_case.cables[index];
   const Eigen::Vector3d motion = motion_of(state);
   const double fallen = gap_gradient(cable, state).head<2>().dot(the_case.gravity);
   return dt * (std::abs(gap_gradient_rate(cable, state).dot(motion)) + std::abs(fallen));
 }
 
-/// In a system forces, drag and what is given over time change it, too.
+/// In a system forces, drag, what is given over time and the `pulls` of cables that `system` does
+/// not have change it, too.
 [[nodiscard]] inline double change_in_step(const SpatialSystem& system, std::size_t index,
-                                           const SpatialSystemState& state, double dt) {
+                                           const SpatialSystemState& state, double dt,
+                                           const std::vector<BodyLoad>& pulls = {}) {
   const SpatialCable& cable = system.cables[index];
   const double turning = gap_gradient_rate(cable, state).dot(motion_of(state));
-  return dt * (std::abs(turning) + std::abs(free_gap_acceleration(system, index, state) - turning));
+  double pulled = free_gap_acceleration(system, index, state) - turning;  // [m/s^2]
+  if (!pulls.empty()) {
+    pulled += gap_gradient(cable, state)
+                  .cwiseProduct(inverse_mass(system.bodies))
+                  .dot(wrench_of(pulls, state));
+  }
+  return dt * (std::abs(turning) + std::abs(pulled));
 }
 
 /// The gap rate that takes out `correction` [1/s] of the overstretch [m/s], at most `most` [m/s].
@@ -177,11 +200,12 @@ inline constexpr double usual_correction = 0.2;
 /// `state` after its body has moved out of overstretch by what a step of `dt` [s] with `push_rate`
 /// leaves of `correction` [1/s]: without a change of velocity, for that would be a rebound that
 /// nobody asked for. A cable that is about to be hit takes no part, and one from which the body
-/// comes back fast enough by itself is left to it. None where there is nothing to move.
+/// comes back fast enough by itself is left to it. `pulls` are those of the step. None where there
+/// is nothing to move.
 template <class TheCase>
-[[nodiscard]] std::optional<StateOf<TheCase>> out_of_overstretch(const TheCase& the_case,
-                                                                 const StateOf<TheCase>& state,
-                                                                 double correction, double dt) {
+[[nodiscard]] std::optional<StateOf<TheCase>> out_of_overstretch(
+    const TheCase& the_case, const StateOf<TheCase>& state, double correction, double dt,
+    const std::vector<BodyLoad>& pulls = {}) {
   CableSet holding;
   CableVector lacking(static_cast<Eigen::Index>(the_case.cables.size()));  // [m], <= 0
   Eigen::Index count = 0;
@@ -190,7 +214,7 @@ template <class TheCase>
     if (!(row.gap <= 0.0)) {
       continue;
     }
-    const double most = change_in_step(the_case, index, state, dt);
+    const double most = change_in_step(the_case, index, state, dt, pulls);
     if (row.rate >= -most) {
       const double done = std::max(most, row.rate);
       lacking[count++] = std::min(0.0, dt * (done + correction * row.gap));

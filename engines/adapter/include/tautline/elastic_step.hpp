@@ -22,7 +22,8 @@ namespace tautline {
 [[nodiscard]] std::vector<double> elastic_impulses(const SpatialSystem& system,
                                                    const SpatialSystemState& state, double dt);
 
-/// The forces and moments of the engaged cables of `state` on each body.
+/// The forces [N] of the engaged cables of `state` on each body, and their moments about its centre
+/// [N m], in world axes. One for each body, in their order.
 [[nodiscard]] std::vector<BodyLoad> elastic_loads(const SpatialSystem& system,
                                                   const SpatialSystemState& state);
 

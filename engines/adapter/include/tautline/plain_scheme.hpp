@@ -13,9 +13,9 @@ namespace tautline {
 /// closed, of all cables at once, by projected Gauss and Seidel; and it takes back a fifth of what
 /// a cable is overstretched, by the pose alone. Between cables' impulses the angular momentum of a
 /// body in space stays as it is. An elastic cable pulls as its law has it at the start of a step.
-/// The scheme converges with the first order of the step, and has no
-/// more than a step has to have: what errs by much more than it does not owe that to its step. A
-/// case is a `Case` or a `SpatialSystem`; what is given over time acts in a step as at its start.
+/// The scheme converges with the first order of the step, and has no more than a step has to have:
+/// what errs by much more than it does not owe that to its step. A case is a `Case` or a
+/// `SpatialSystem`; what is given over time acts in a step as at its start.
 template <class TheCase>
 class BasicPlainScheme {
  public:

@@ -5,16 +5,18 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tautline/system_geometry.hpp"
 
 namespace tautline {
 
-/// Force and moment on a body of a system but for cables, as a mean over a step.
+/// Force and moment on a body of a system, as a mean over a step: of all that is given and drag
+/// (`loads_in_step`), or of elastic cables (`elastic_loads`).
 struct BodyLoad {
-  Eigen::Vector3d force;   // [N], without gravity
-  Eigen::Vector3d moment;  // [N m], in world axes, without what turning gives
+  Eigen::Vector3d force;   // [N], in world axes, without gravity
+  Eigen::Vector3d moment;  // [N m], about the centre, in world axes, without what turning gives
 };
 
 /// `what` [m/s] or [rad/s] and a steady `acceleration` of it over `dt` [s]: the mean acceleration
@@ -135,16 +137,35 @@ void each_smooth_part(const SpatialSystem& system, double time, double dt, const
   return system;
 }
 
-/// Throws std::invalid_argument where a cable does not go straight from a body to another one, or
+/// Thrown where an engine cannot do a cable: "unsupported: WHAT, cable N WHY".
+class CableRefused : public std::invalid_argument {
+ public:
+  /// Cable `index` is `what` in the engine, and `why` says that this is not enough.
+  CableRefused(std::string what, std::size_t index, std::string why)
+      : invalid_argument("unsupported: " + what + ", cable " + std::to_string(index) + " " + why),
+        what_(std::move(what)),
+        index_(index),
+        why_(std::move(why)) {}
+
+  [[nodiscard]] std::size_t index() const { return index_; }
+
+  /// This refusal with another number of the cable.
+  [[nodiscard]] CableRefused of(std::size_t other) const { return {what_, other, why_}; }
+
+ private:
+  std::string what_;
+  std::size_t index_;
+  std::string why_;
+};
+
+/// Throws CableRefused where a cable does not go straight from a body to another one, or
 /// to the world: `whose` cable, such as "tautline's drop-in cable", can do no more.
 inline void check_straight(const SpatialSystem& system, const std::string& whose) {
   for (std::size_t index = 0; index < system.cables.size(); ++index) {
     const SpatialCable& cable = system.cables[index];
     if (!cable.through.empty() || cable.from.body == cable.to.body) {
-      throw std::invalid_argument("unsupported: " + whose +
-                                  " goes straight from a body to another one or to the world, "
-                                  "cable " +
-                                  std::to_string(index) + " does not");
+      throw CableRefused(whose + " goes straight from a body to another one or to the world", index,
+                         "does not");
     }
   }
 }

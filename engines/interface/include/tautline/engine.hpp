@@ -66,8 +66,9 @@ enum class Maker {
 /// The cables of the cases that a model runs.
 enum class Cables {
   inextensible,  // all of them
-  elastic,       // one of a system, or more (`SpatialCable::elasticity`)
-  any,           // both kinds of cases
+  elastic,       // of a system, one or more of them (`SpatialCable::elasticity`), next to
+                 // inextensible ones; a system without an elastic cable is refused
+  any,           // all inextensible, all elastic, or of both kinds
 };
 [[nodiscard]] constexpr const char* to_string(Cables cables) {
   switch (cables) {

@@ -22,7 +22,7 @@ namespace tautline {
 struct ModelEntry {
   Model model;  // its name and what it is
   std::function<std::unique_ptr<Simulation>(const Case& the_case, const RunSettings& settings)>
-      start;  // starts a run with it; none: its `cables` are elastic
+      start;  // starts a run with it; none: it takes systems alone
   std::function<std::unique_ptr<SystemSimulation>(const SpatialSystem&, const RunSettings&)>
       start_system = nullptr;  // the same of a system in space; none: it takes the plane alone
   /// True where every impact gets `restitution(cable, rate)` at its own rate; a model that takes
@@ -127,12 +127,18 @@ template <class TheCase>
   throw std::invalid_argument("model " + std::string(name) + " is unknown; there are " + known);
 }
 
-/// A run with the entry called `name`. Throws as `entry_for` does.
+/// A run with the entry called `name`. Throws as `entry_for` does, and where the entry takes
+/// systems alone.
 [[nodiscard]] inline std::unique_ptr<Simulation> start_model(std::span<const ModelEntry> entries,
                                                              std::string_view name,
                                                              const Case& the_case,
                                                              const RunSettings& settings) {
-  return entry_for(entries, name, the_case, settings).start(the_case, settings);
+  const ModelEntry& entry = entry_for(entries, name, the_case, settings);
+  if (!entry.start) {
+    throw std::invalid_argument("unsupported: model " + entry.model.name +
+                                " runs systems, not a case of one body in the plane");
+  }
+  return entry.start(the_case, settings);
 }
 
 /// What `EngineInfo` calls the numbers of an engine that computes in `Real`.

@@ -144,7 +144,7 @@ TEST(SystemFile, HasOneFormForEveryFunctionOfTime) {
   }
 }
 
-const std::string ball = R"(name = "ball"
+const std::string ball_text = R"(name = "ball"
 duration = 2.0
 gravity = [0.0, -1.0]
 [body]
@@ -160,11 +160,12 @@ position = [0.0, 0.0]
 )";
 
 TEST(SystemFile, IsACaseWhereOneBodyAndConstantsAreAllThereIs) {
-  const SystemReading reading = read_system_text(ball, "ball.toml");
+  const SystemReading reading = read_system_text(ball_text, "ball.toml");
   ASSERT_EQ(reading.problems, Strings());
   ASSERT_TRUE(reading.the_case);
   EXPECT_EQ(reading.only_a_system, "");
-  EXPECT_EQ(test::bits(*reading.the_case), test::bits(*read_case_text(ball, "ball.toml").the_case));
+  EXPECT_EQ(test::bits(*reading.the_case),
+            test::bits(*read_case_text(ball_text, "ball.toml").the_case));
   const System same = as_system(*reading.the_case);
   EXPECT_EQ(write_system(*reading.system), write_system(same));
   EXPECT_EQ(same.cables[0].to.at, Vec2(0.0, 1.0));
@@ -185,7 +186,7 @@ TEST(SystemFile, IsASystemByItsContentInTheShortFormToo) {
        {"anchor = [0.0, 1.0]\nattachment = [0.0, 0.1]",
         "from = { body = \"body\", at = [0.0, 0.1] }\nto = [0.0, 1.0]"}}};
   for (const auto& [key, change] : changes) {
-    const std::string text = replaced(ball, change.first, change.second);
+    const std::string text = replaced(ball_text, change.first, change.second);
     const SystemReading reading = read_system_text(text, "ball.toml");
     ASSERT_EQ(reading.problems, Strings()) << text;
     EXPECT_FALSE(reading.the_case) << text;

@@ -52,19 +52,19 @@ TEST(ElasticMotion, HasTheContactsOfTheClosedFormsAndTheirErrors) {
 
 TEST(ElasticMotion, HasItsContactsInJsonAndOthersHaveNone) {
   const CheckedMotion motion(falling_mass(), {});
-  const auto json = nlohmann::json::parse(solution_json(motion, {}, {}));
+  const auto solution = nlohmann::json::parse(solution_json(motion, {}, {}));
   const auto contacts = motion.contacts();
-  ASSERT_EQ(json.at("contacts").size(), contacts.size());
-  const auto& first = json.at("contacts").front();
+  ASSERT_EQ(solution.at("contacts").size(), contacts.size());
+  const auto& first = solution.at("contacts").front();
   EXPECT_EQ(first.at("cable"), 0);
-  EXPECT_EQ(json.at("events").front().at("kind"), "entry");
+  EXPECT_EQ(solution.at("events").front().at("kind"), "entry");
   const std::string schema = solution_schema_json();
   for (const char* const word : {"\"entry\"", "\"exit\"", "\"contacts\"", "\"dissipated\""}) {
     EXPECT_NE(schema.find(word), std::string::npos) << word;
   }
   EXPECT_EQ(first.at("peak").at("value"), contacts.front().contact.peak);
   EXPECT_EQ(first.at("impulse").at("error"), contacts.front().errors.impulse);
-  EXPECT_EQ(json.at("energy").at("dissipated"), motion.ledger().dissipated);
+  EXPECT_EQ(solution.at("energy").at("dissipated"), motion.ledger().dissipated);
   EXPECT_GT(motion.ledger().dissipated, 0.0);
   const CheckedMotion other(shipped_systems().front().system, {}, 0);
   const auto inextensible = nlohmann::json::parse(solution_json(other, {}, {}));

@@ -147,7 +147,7 @@ TEST(AttributionOfSystems, FollowsWhatIsGivenOverTime) {
   }
 }
 
-using Point = Eigen::Vector3d;
+using Triple = Eigen::Vector3d;
 
 /// One thing that a ball on a cable is given over time.
 struct Given {
@@ -157,16 +157,16 @@ struct Given {
 constexpr Given given[] = {
     {"gravity",
      [](SpatialSystem& system) {
-       system.gravity.waves = {{Point(0.4, 0.0, 0.2), 3.0, 0.4}};
+       system.gravity.waves = {{Triple(0.4, 0.0, 0.2), 3.0, 0.4}};
      }},
     {"a force",
      [](SpatialSystem& system) {
        system.bodies.front().force =
-           Function<3>::linear({0.5, 1.5}, {Point::Zero(), Point(0.3, 0.2, 0.0)});
+           Function<3>::linear({0.5, 1.5}, {Triple::Zero(), Triple(0.3, 0.2, 0.0)});
      }},
     {"a moment",
      [](SpatialSystem& system) {
-       system.bodies.front().moment.waves = {{Point(0.0, 0.02, 0.01), 2.0, 1.0}};
+       system.bodies.front().moment.waves = {{Triple(0.0, 0.02, 0.01), 2.0, 1.0}};
      }},
     {"a winch",
      [](SpatialSystem& system) {
@@ -175,12 +175,12 @@ constexpr Given given[] = {
      }},
     {"an anchor that moves",
      [](SpatialSystem& system) {
-       system.cables.front().to.motion.waves = {{Point(0.15, 0.0, 0.05), 1.5, -0.5}};
+       system.cables.front().to.motion.waves = {{Triple(0.15, 0.0, 0.05), 1.5, -0.5}};
      }},
     {"a hook-up",
      [](SpatialSystem& system) {
        SpatialCable hooked = system.cables.front();
-       hooked.to.at = Point(0.0, -0.3, 0.0);
+       hooked.to.at = Triple(0.0, -0.3, 0.0);
        hooked.from_time = 0.9;
        system.cables.push_back(hooked);
      }},

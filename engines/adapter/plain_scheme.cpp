@@ -42,9 +42,6 @@ void stretch(const SpatialSystem& system, SpatialSystemState& state, double dt,
   impulses = elastic_impulses(system, state, dt);
 }
 
-bool is_elastic(const Cable& /*cable*/) { return false; }
-bool is_elastic(const SpatialCable& cable) { return cable.elasticity.has_value(); }
-
 /// The part of a gap's rate that is given: by a winch and ends that move [m/s].
 double given_rate(const Cable& /*cable*/, const State& /*state*/, double /*of_bodies*/) {
   return 0.0;

@@ -49,8 +49,8 @@ namespace tautline {
 struct CableElasticity {
   std::vector<double> stiffness;  // k1 > 0, k2, ... >= 0 [N/m, N/m^2, ...]
   double damping = 0;             // c [N s/m], >= 0
-  double damping_ratio = 0;       // [-], >= 0: c = 2 ratio sqrt(k1 m) with the mass m that the cable
-                                  // feels in the step in which it becomes stretched
+  double damping_ratio = 0;  // [-], >= 0: c = 2 ratio sqrt(k1 m) with the mass m that the cable
+                             // feels in the step in which it becomes stretched
 
   CableElasticity() = default;
   /// Linear, of `the_stiffness` [N/m].
@@ -81,9 +81,7 @@ struct CableElasticity {
   }
 
   /// f at a stretch, 0 where it is slack [N].
-  double force(double stretch) const {
-    return stretch > 0 ? stretch * secant(0, stretch) : 0;
-  }
+  double force(double stretch) const { return stretch > 0 ? stretch * secant(0, stretch) : 0; }
   /// The energy that the spring stores [J].
   double stored(double stretch) const {
     double result = 0;

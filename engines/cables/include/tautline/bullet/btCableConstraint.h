@@ -1,7 +1,7 @@
-// A cable for Bullet: massless and inextensible, with restitution, between two bodies or a body and
-// the world. It only ever pulls, and bounces as Bullet's contacts do: gap rate after the step =
-// -restitution * gap rate before it, measured at the pivots, not at the centres. Header only; for
-// either precision of Bullet. docs/guides/cables.md says what it guarantees.
+// A cable for Bullet: massless, inextensible with restitution or elastic, between two bodies or a
+// body and the world. It only ever pulls, and bounces as Bullet's contacts do: gap rate after the
+// step = -restitution * gap rate before it, measured at the pivots, not at the centres. Header
+// only; for either precision of Bullet. docs/guides/cables.md says what it guarantees.
 //
 //   btCableConstraint* cable = new btCableConstraint(*load, pivotInLoad, pointInWorld, length);
 //   cable->setRestitution(btScalar(0.7));

@@ -1,5 +1,5 @@
-// A cable for ODE: massless and inextensible, with restitution, between two bodies or a body and
-// the world. ODE has no joint types of a user's own, so a cable acts by forces, or by a contact
+// A cable for ODE: massless, inextensible with restitution or elastic, between two bodies or a body
+// and the world. ODE has no joint types of a user's own, so a cable acts by forces, or by a contact
 // joint without friction, in each step that it may pull in: it only pulls, and bounces as ODE's
 // contacts do with bounce_vel 0: gap rate after the step = -bounce * gap rate before it, measured
 // at the anchors. Header only, for C++; double or single precision, as ODE is.

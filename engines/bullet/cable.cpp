@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "adapter/drop_in_model.hpp"
 #include "models.hpp"
 #include "tautline/bullet/btCableConstraint.h"
 #include "tautline/bullet/btStepWithCables.h"
@@ -62,6 +63,7 @@ class SystemCables : public Cables {
               ? std::make_unique<btCableConstraint>(at, *other, vector(first.at), pivot, length)
               : std::make_unique<btCableConstraint>(at, vector(first.at), pivot, length)));
       cables_.back()->setRestitution(static_cast<btScalar>(cable.restitution));
+      cables_.back()->setElasticity(drop_in_elasticity(system, cable));
     }
   }
 
@@ -213,7 +215,8 @@ std::vector<ModelEntry> cable_models() {
                  .sentence = "tautline's btCableConstraint, the drop-in cable for a world of "
                              "one's own, in stepSimulation.",
                  .settings = settings({}),
-                 .in_space = in_space()},
+                 .in_space = joined({in_space(), elastic_drop_in_settings("setElasticity")}),
+                 .cables = tautline::Cables::any},
        .start = makes<CableSimulation<Case, World, Cables>>(),
        .start_system = makes<CableSimulation<SpatialSystem, SystemWorld, SystemCables>>()},
       {.model = {.name = "cable-events",

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "adapter/drop_in_model.hpp"
 #include "models.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/impacts_between_parts.hpp"
@@ -83,6 +84,7 @@ class SystemCables : public Cables {
       add(world.body(*first(cable).body), moving_point(first(cable), system.initial).position,
           body ? world.body(*body) : hooks_.back(), there, cable.length.at(0.0)[0],
           cable.restitution);
+      dCableSetElasticity(owned_.back().get(), drop_in_elasticity(system, cable));
     }
   }
 
@@ -234,7 +236,8 @@ std::vector<ModelEntry> cable_models() {
                  .sentence = "tautline's dCable, the drop-in cable for a world of one's own, "
                              "in dWorldStep with ODE's own settings.",
                  .settings = settings({}),
-                 .in_space = in_space()},
+                 .in_space = joined({in_space(), elastic_drop_in_settings("dCableSetElasticity")}),
+                 .cables = tautline::Cables::any},
        .start = makes<CableSimulation<Case, World, Cables>>(),
        .start_system = makes<CableSimulation<SpatialSystem, SystemWorld, SystemCables>>()},
       {.model = {.name = "cable-events",

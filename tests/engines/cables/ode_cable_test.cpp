@@ -7,6 +7,9 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "engines/cables/scene.hpp"
@@ -80,14 +83,55 @@ TEST(DCable, ClampsWhatMakesNoSense) {
   EXPECT_EQ(dCableGetBounce(hanging.cable), 0.0);
   dCableSetLength(hanging.cable, -1.0);
   EXPECT_EQ(dCableGetLength(hanging.cable), 0.0);
+  dCableSetElasticity(hanging.cable, CableElasticity(-1.0));
+  EXPECT_TRUE(dCableGetElasticity(hanging.cable).stiffness.empty());
 }
 #else
 TEST(DCableDeathTest, AssertsOnWhatMakesNoSense) {
   const Hanging hanging;
   EXPECT_DEATH(dCableSetBounce(hanging.cable, 1.5), "value <= 1");
   EXPECT_DEATH(dCableSetLength(hanging.cable, -1.0), "value >= 0");
+  EXPECT_DEATH(dCableSetElasticity(hanging.cable, CableElasticity(-1.0)), "problem");
 }
 #endif
+
+TEST(DCable, SaysWhatIsWrongWithAnElasticity) {
+  const auto problem_of = [](std::vector<double> stiffness, double damping, double ratio) {
+    CableElasticity law;
+    law.stiffness = std::move(stiffness);
+    law.damping = damping;
+    law.damping_ratio = ratio;
+    const char* problem = law.problem();
+    return std::string(problem != nullptr ? problem : "");
+  };
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(problem_of({}, 0.0, 0.0), "");
+  EXPECT_EQ(problem_of({1e4, 0.0, 2e5}, 0.0, 0.1), "");
+  for (const double stiffness : {-1.0, nan, std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(problem_of({1e4, stiffness}, 0.0, 0.0),
+              "each stiffness of an elastic cable must be a finite number of at least 0");
+  }
+  EXPECT_EQ(problem_of({0.0, 1.0}, 0.0, 0.0),
+            "the first stiffness of an elastic cable must be above 0 N/m");
+  for (const double damping : {-1.0, nan}) {
+    EXPECT_EQ(problem_of({1e4}, damping, 0.0),
+              "the damping of an elastic cable must be a finite number of at least 0");
+    EXPECT_EQ(problem_of({1e4}, 0.0, damping),
+              "the damping of an elastic cable must be a finite number of at least 0");
+  }
+  EXPECT_EQ(problem_of({1e4}, 1.0, 0.1),
+            "an elastic cable must have a damping or a damping ratio, not both");
+  EXPECT_EQ(problem_of({}, 1.0, 0.0), "a cable with damping must have a stiffness");
+}
+
+TEST(DCable, FindsTheDampingRatioOfARestitution) {
+  // the inverse of (E6), to 20 digits
+  EXPECT_NEAR(cable_damping_ratio(0.95), 0.016498230920168432463, 1e-14);
+  EXPECT_NEAR(cable_damping_ratio(0.5), 0.25527563764865180659, 1e-14);
+  EXPECT_NEAR(cable_damping_ratio(std::exp(-2.0)), 1.0, 1e-6);  // the root of the law is there
+  EXPECT_EQ(cable_damping_ratio(1.0), 0.0);
+  EXPECT_TRUE(std::isinf(cable_damping_ratio(0.0)));
+}
 
 TEST(DCable, HaulsAsAWinch) {
   const Hanging hanging;

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace tautline::test {
 
@@ -38,8 +39,11 @@ struct BodyState {
 struct CableData {
   CableEnd first;
   CableEnd second;
-  double length;       // [m]
-  double restitution;  // [-]
+  double length;                       // [m]
+  double restitution;                  // [-]
+  std::vector<double> stiffness = {};  // [N/m, N/m^2, ...]; none: inextensible
+  double damping = 0.0;                // [N s/m]
+  double damping_ratio = 0.0;          // [-]
 };
 
 class Scene {
@@ -98,6 +102,7 @@ class Scene {
   [[nodiscard]] double impulse(int cable) const;         // of the last step [N s]
   [[nodiscard]] double impact_impulse(int cable) const;  // [N s]
   [[nodiscard]] double taut_tension(int cable) const;    // [N]
+  [[nodiscard]] double peak_tension(int cable) const;    // of an elastic cable [N]
   [[nodiscard]] bool broken(int cable) const;
   [[nodiscard]] bool taut(int cable) const;
   [[nodiscard]] double reported_gap(int cable) const;       // [m]

@@ -143,6 +143,11 @@ int Scene::add_cable(const CableData& data) {
                                      engine_->body(first.body), engine_->body(second.body),
                                      bullet(first.point), bullet(second.point), length);
   cable->setRestitution(static_cast<btScalar>(data.restitution));
+  CableElasticity elasticity;
+  elasticity.stiffness = data.stiffness;
+  elasticity.damping = data.damping;
+  elasticity.damping_ratio = data.damping_ratio;
+  cable->setElasticity(elasticity);
   engine_->cables.push_back(cable.get());
   engine_->add(std::move(cable));
   return static_cast<int>(engine_->cables.size()) - 1;
@@ -267,6 +272,7 @@ bool Scene::touched(int body) const {
 double Scene::impulse(int cable) const { return engine_->cable(cable).getAppliedImpulse(); }
 double Scene::impact_impulse(int cable) const { return engine_->cable(cable).getImpactImpulse(); }
 double Scene::taut_tension(int cable) const { return engine_->cable(cable).getTautTension(); }
+double Scene::peak_tension(int cable) const { return engine_->cable(cable).getPeakTension(); }
 bool Scene::broken(int cable) const { return !engine_->cable(cable).isEnabled(); }
 bool Scene::taut(int cable) const { return engine_->cable(cable).isTaut(); }
 double Scene::reported_gap(int cable) const { return engine_->cable(cable).getGap(); }

@@ -167,6 +167,11 @@ int Scene::add_cable(const CableData& data) {
   dCableSetAnchor2(cable, second.x(), second.y(), second.z());
   dCableSetLength(cable, data.length);
   dCableSetBounce(cable, data.restitution);
+  CableElasticity elasticity;
+  elasticity.stiffness = data.stiffness;
+  elasticity.damping = data.damping;
+  elasticity.damping_ratio = data.damping_ratio;
+  dCableSetElasticity(cable, elasticity);
   engine_->cables.push_back(cable);
   return static_cast<int>(engine_->cables.size()) - 1;
 }
@@ -286,6 +291,7 @@ double Scene::impact_impulse(int cable) const {
   return dCableGetImpactImpulse(engine_->cable(cable));
 }
 double Scene::taut_tension(int cable) const { return dCableGetTautTension(engine_->cable(cable)); }
+double Scene::peak_tension(int cable) const { return dCableGetPeakTension(engine_->cable(cable)); }
 bool Scene::broken(int cable) const { return dCableIsBroken(engine_->cable(cable)) != 0; }
 bool Scene::taut(int cable) const { return dCableIsTaut(engine_->cable(cable)) != 0; }
 double Scene::reported_gap(int cable) const { return dCableGetGap(engine_->cable(cable)); }

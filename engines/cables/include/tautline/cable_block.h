@@ -31,6 +31,11 @@ class CableBlock {
     CableBlockEnd end[2];
     double softness;    // gives by this part of what its own impulse changes [-], and
     double compliance;  // by this much of an impulse [1/kg]
+
+    /// J M^-1 J^T of the cable by itself [1/kg].
+    double inverse_mass() const {
+      return end[0].coupling(end[0]) + end[1].coupling(end[1]) + 2 * end[0].coupling(end[1]);
+    }
   };
 
   /// Empties it; `row` of 0 to `count` - 1 are to be filled, then `assemble`.

@@ -6,7 +6,7 @@
 // clang-format off
 //   Real distance(index)          of the ends, on the line of the row [m]
 //   Real distance_now(index)      of the ends, where they are by now [m]
-//   Real correction(index)        see CableRule [m]
+//   Real correction(index)        see CableRule; negative: may become longer [m]
 //   Real length(index)            [m]
 //   Real& aimed(index)            memory for a distance [m]
 //   void move(index, push)        its ends, by as much as `push` changes their velocities [kg m]

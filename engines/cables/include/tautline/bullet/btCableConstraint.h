@@ -1,7 +1,7 @@
-// A cable for Bullet: massless and inextensible, with restitution, between two bodies or a body and
-// the world. It only ever pulls, and bounces as Bullet's contacts do: gap rate after the step =
-// -restitution * gap rate before it, measured at the pivots, not at the centres. Header only; for
-// either precision of Bullet. docs/guides/cables.md says what it guarantees.
+// A cable for Bullet: massless, inextensible with restitution or elastic, between two bodies or a
+// body and the world. It only ever pulls, and bounces as Bullet's contacts do: gap rate after the
+// step = -restitution * gap rate before it, measured at the pivots, not at the centres. Header
+// only; for either precision of Bullet. docs/guides/cables.md says what it guarantees.
 //
 //   btCableConstraint* cable = new btCableConstraint(*load, pivotInLoad, pointInWorld, length);
 //   cable->setRestitution(btScalar(0.7));
@@ -47,6 +47,7 @@ class btCableConstraint : public btCableInSolver {
   void setMaxLength(btScalar maxLength) {
     if (maxLength != m_rule.length) {
       m_rule.length = positive(maxLength);
+      m_spring.forget();
       wake();
     }
   }
@@ -80,6 +81,28 @@ class btCableConstraint : public btCableInSolver {
   /// [m/s], >= 0; 1 unless set.
   void setMaxCorrectionSpeed(btScalar speed) { m_rule.correction_speed = positive(speed); }
   btScalar getMaxCorrectionSpeed() const { return m_rule.correction_speed; }  // [m/s]
+
+  /// Lets the cable stretch beyond its maximum length, by the law and the scheme of
+  /// tautline/cable_spring.h; inextensible unless set, or without stiffness. The restitution, its
+  /// threshold, the rebound by energy, ERP and CFM say nothing to an elastic cable: it has no
+  /// impacts, and its snap is in getTension, getTautTension and setBreakingTension. A law with a
+  /// `problem` asserts, and changes nothing. Wakes the bodies.
+  void setElasticity(const tautline::CableElasticity& elasticity) {
+    btAssert(elasticity.problem() == nullptr);
+    if (elasticity.problem() == nullptr) {
+      m_spring.set(elasticity);
+      m_compliance = 0;
+      wake();
+    }
+  }
+  const tautline::CableElasticity& getElasticity() const { return m_spring.law(); }  // as set
+
+  /// The largest tension of a step since an elastic cable became stretched last [N]; 0 if
+  /// inextensible.
+  btScalar getPeakTension() const {
+    return btMax(static_cast<btScalar>(m_spring.peak()),
+                 m_spring.is_elastic() ? tautTension() : btScalar(0));
+  }
 
   /// Where the ends are, in their bodies' frames [m]. Another place wakes the bodies.
   void setPivotA(const btVector3& pivotA) { setPivot(m_pivotInA, pivotA); }
@@ -157,6 +180,7 @@ class btCableConstraint : public btCableInSolver {
   void setPivot(btVector3& pivot, const btVector3& to) {
     if (pivot != to) {
       pivot = to;
+      m_spring.forget();
       wake();
     }
   }

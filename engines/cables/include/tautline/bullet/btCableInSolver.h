@@ -15,6 +15,7 @@
 #include "tautline/bullet/btCablesOnBody.h"
 #include "tautline/cable_block.h"
 #include "tautline/cable_rule.h"
+#include "tautline/cable_spring.h"
 #include "tautline/force_trend.h"
 
 // NOLINTBEGIN(modernize-use-nodiscard): C++11 does not know it
@@ -122,6 +123,10 @@ class btCableInSolver : public btTypedConstraint {
   // of one cable
   Rule::Start startOf(btSolverBody* pool, btScalar timeStep) const;
   void ask(const Rule::Start& at);
+  void askElastic(const Rule::Start& at);
+  void askInextensible(const Rule::Start& at);
+  void setRow(const tautline::CableSpring::Row& row);
+  void tookImpulse();  // of the last step
   void fill(tautline::CableBlock::Row& row) const;
   void move(btSolverBody* pool, const tautline::CableBlock::Row& row, double push);
   btScalar rateNow(btSolverBody* pool) const;
@@ -133,12 +138,14 @@ class btCableInSolver : public btTypedConstraint {
   std::shared_ptr<btCablesOnBody> m_onA;
   std::shared_ptr<btCablesOnBody> m_onB;
   Rule m_rule;
+  tautline::CableSpring m_spring;  // of an elastic cable; the rule has its length alone
   btScalar m_cfm = 0;
   btScalar m_breakingTension = SIMD_INFINITY;  // [N]
 
   // of the step
   btCableLine m_line = getLine();
   Rule::Row m_row = {false, 0};
+  double m_compliance = 0;       // of the row [1/kg]
   btScalar m_correction = 0;     // [m]
   btScalar m_aimedDistance = 0;  // of the pivots, by it [m]
   btScalar m_inverseMass = 0;    // [1/kg]

@@ -29,10 +29,15 @@ inline void btCableInSolver::getInfo2(btConstraintInfo2* info) {
   ask(start);
   m_inverseMass = m_line.inverseMass(m_rbA, m_rbB);
   info->m_constraintError[0] =
-      btMax(m_row.rate, m_rule.held() ? m_correction / timeStep : btScalar(0)) - rateOfLength;
+      (m_spring.is_elastic()
+           ? m_row.rate
+           : btMax(m_row.rate, m_rule.held() ? m_correction / timeStep : btScalar(0))) -
+      rateOfLength;
   info->m_lowerLimit[0] = 0;
   info->m_upperLimit[0] = m_row.acts ? SIMD_INFINITY : btScalar(0);
-  if (m_cfm > 0) {
+  if (m_spring.is_elastic()) {
+    info->cfm[0] = static_cast<btScalar>(m_compliance / m_inverseMass);
+  } else if (m_cfm > 0) {
     info->cfm[0] = m_cfm;
   }
 }

@@ -73,11 +73,13 @@ inline void btCableInSolver::buildJacobian() {
     m_pushesOnA.m_isSeen = m_pushesOnB.m_isSeen = true;
   }
   if (m_row.acts) {
-    m_rule.pulled(m_appliedImpulse, m_inverseMass);  // of the last step, which is lost after this
-    m_row.acts = false;
+    tookImpulse();  // which is lost after this
   }
   if (hasBroken()) {
     setEnabled(false);
+  }
+  if (!btTypedConstraint::isEnabled()) {
+    m_spring.forget();
   }
   m_drivenIsKnown &= m_byEvents;
   m_line = getLine();
@@ -87,7 +89,8 @@ inline void btCableInSolver::buildJacobian() {
   if (!hook && !m_rule.touches(gap)) {
     m_rule.release();
   }
-  const bool pulls = hook || (m_rule.touches(gap) && (!m_byEvents || m_rule.held()));
+  const bool pulls =
+      hook || m_spring.is_elastic() || (m_rule.touches(gap) && (!m_byEvents || m_rule.held()));
   const bool moves = btCableMoves(m_rbA) || btCableMoves(m_rbB);
   const bool enabled = btTypedConstraint::isEnabled();
   if (hook && enabled) {
@@ -188,7 +191,12 @@ class btCableInSolver::Overstretch {
   void slow_turning() { m_leader.slowTurning(m_pool, m_timeStep); }
   void look_again() {
     for (btCableInSolver* cable : m_leader.m_pulling) {
+      const btScalar before = cable->m_line.m_distance;
       cable->m_line = cable->getLineBefore(m_timeStep);
+      if (cable->m_spring.is_elastic()) {
+        cable->setRow(cable->m_spring.moved(cable->m_line.m_distance - before));
+        continue;
+      }
       const btScalar rate = cable->m_line.rate(cable->m_rbA, cable->m_rbB);
       cable->m_row.rate = btMin(cable->m_row.rate, -rate - cable->m_rule.length_rate);
     }
@@ -217,10 +225,11 @@ inline void btCableInSolver::begin(btSolverBody* pool, btScalar timeStep) {
     }
   }
   for (btCableInSolver* cable : m_pulling) {
-    cable->m_ofImpacts = impact ? SIMD_INFINITY : btScalar(0);  // one cable's strikes all
-  }
-  for (std::size_t index = 0; index < m_pulling.size() && m_pulling.size() > 1; ++index) {
-    m_pulling[index]->m_row = m_pulling[index]->m_rule.beside_others(m_pulling[index]->m_row);
+    // one cable's strikes all, but those that stretch
+    cable->m_ofImpacts = impact && !cable->m_spring.is_elastic() ? SIMD_INFINITY : btScalar(0);
+    if (m_pulling.size() > 1 && !cable->m_spring.is_elastic()) {
+      cable->m_row = cable->m_rule.beside_others(cable->m_row);
+    }
   }
   fillBlock(pool);
   Overstretch overstretch(*this, pool, timeStep);
@@ -294,7 +303,42 @@ inline void btCableInSolver::find(btSolverBody* pool, btScalar timeStep, bool fi
   }
 }
 
+inline void btCableInSolver::setRow(const tautline::CableSpring::Row& row) {
+  m_row = Rule::Row{row.acts && m_line.m_distance > SIMD_EPSILON, static_cast<btScalar>(row.rate)};
+  m_compliance = row.compliance;
+}
+
+inline void btCableInSolver::askElastic(const Rule::Start& at) {
+  tautline::CableBlock::Row row;
+  fill(row);
+  setRow(m_spring.step(tautline::CableSpring::Start(at, row.inverse_mass(), m_byEvents)));
+  m_ofImpacts = 0;
+  m_tautTime = m_row.acts ? at.dt : btScalar(0);
+  m_correction = -m_line.m_distance;  // the others' may stretch it
+}
+
+inline void btCableInSolver::tookImpulse() {
+  m_row.acts = false;
+  if (m_spring.is_elastic()) {
+    m_spring.pulled(m_appliedImpulse);
+  } else {
+    m_rule.pulled(m_appliedImpulse, m_inverseMass);
+  }
+}
+
 inline void btCableInSolver::ask(const Rule::Start& at) {
+  if (m_spring.is_elastic()) {
+    askElastic(at);
+  } else {
+    askInextensible(at);
+  }
+  if (m_rule.length_rate != 0) {
+    m_rule.pay_out(at.dt);
+    wake();
+  }
+}
+
+inline void btCableInSolver::askInextensible(const Rule::Start& at) {
   const bool impact = !m_byEvents && m_rule.is_impact(at);
   if (!(m_line.m_distance > SIMD_EPSILON)) {
     m_row = Rule::Row{false, 0};  // pivots that coincide have no direction to be pulled in
@@ -316,10 +360,6 @@ inline void btCableInSolver::ask(const Rule::Start& at) {
     // a load that bounces, or is moved, slower than Bullet's sleeping threshold does not sleep
     m_rbA.activate();
     m_rbB.activate();
-  }
-  if (m_rule.length_rate != 0) {
-    m_rule.pay_out(at.dt);
-    wake();
   }
 }
 
@@ -362,8 +402,9 @@ inline void btCableInSolver::fill(tautline::CableBlock::Row& row) const {
   btFillCableEnd(row.end[1], m_rbB, -m_line.m_towards, -m_line.m_momentB);
   row.end[0].arm = m_line.m_armA.length();
   row.end[1].arm = m_line.m_armB.length();
-  row.softness = m_cfm;  // in parts of its own inverse mass, as Bullet has it
-  row.compliance = 0;
+  // in parts of its own inverse mass, as Bullet has it
+  row.softness = m_spring.is_elastic() ? 0 : m_cfm;
+  row.compliance = m_compliance;
 }
 
 inline void btCableInSolver::apply(btSolverBody* pool, const tautline::CableBlock::Row& row,

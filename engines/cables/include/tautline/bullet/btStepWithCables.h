@@ -71,7 +71,9 @@ class btCableStepper::Cable {
   }
 
   bool held() const { return m_cable->m_rule.held(); }
-  bool flies() const { return m_cable->isEnabled() && !held() && gap() >= -tolerance(); }
+  /// An elastic cable has no impacts: its row acts in each part.
+  bool mayStrike() const { return m_cable->isEnabled() && !m_cable->m_spring.is_elastic(); }
+  bool flies() const { return mayStrike() && !held() && gap() >= -tolerance(); }
   btScalar gap() const { return m_cable->getGap(); }
   btScalar rate() const { return m_cable->getGapRate(); }
   btScalar gap_after(btScalar timeStep) const {
@@ -88,9 +90,7 @@ class btCableStepper::Cable {
              m_cable->m_rbB.getAngularVelocity().length()) *
                 m_cable->getMaxLength());
   }
-  bool touches() const {
-    return m_cable->isEnabled() && (gap() <= tolerance() || (held() && m_pulled));
-  }
+  bool touches() const { return mayStrike() && (gap() <= tolerance() || (held() && m_pulled)); }
   /// What a whole step explains of the closing rate [m/s].
   btScalar explained() const {
     const btCableLine line = m_cable->getLine();
@@ -180,9 +180,8 @@ class btCableStepper::Cable {
   void flew() {
     m_pulled = false;
     if (m_cable->m_row.acts) {
-      m_cable->m_row.acts = false;
+      m_cable->tookImpulse();
       m_pulled = m_cable->m_appliedImpulse > 0;
-      m_cable->m_rule.pulled(m_cable->m_appliedImpulse, m_cable->m_inverseMass);
       add(m_cable->m_appliedImpulse);
       m_tautTime += m_cable->m_appliedImpulse > 0 ? m_cable->m_tautTime : btScalar(0);
       if (!m_pulled && gap() > tolerance() + m_braking * m_cable->m_eventStep) {

@@ -1,5 +1,5 @@
-// A cable for ODE: massless and inextensible, with restitution, between two bodies or a body and
-// the world. ODE has no joint types of a user's own, so a cable acts by forces, or by a contact
+// A cable for ODE: massless, inextensible with restitution or elastic, between two bodies or a body
+// and the world. ODE has no joint types of a user's own, so a cable acts by forces, or by a contact
 // joint without friction, in each step that it may pull in: it only pulls, and bounces as ODE's
 // contacts do with bounce_vel 0: gap rate after the step = -bounce * gap rate before it, measured
 // at the anchors. Header only, for C++; double or single precision, as ODE is.
@@ -60,11 +60,13 @@ inline dBodyID dCableGetBody(dCableID cable, int index) { return cable->end[inde
 /// bodies.
 inline void dCableSetAnchor1(dCableID cable, dReal x, dReal y, dReal z) {
   cable->end[0].fasten(x, y, z);
+  cable->spring.forget();
   cable->wake();
 }
 /// The same for the other end.
 inline void dCableSetAnchor2(dCableID cable, dReal x, dReal y, dReal z) {
   cable->end[1].fasten(x, y, z);
+  cable->spring.forget();
   cable->wake();
 }
 /// The anchors in world coordinates, now [m].
@@ -75,6 +77,7 @@ inline void dCableGetAnchor2(dCableID cable, dVector3 result) { cable->end[1].po
 /// Longest distance of the anchors [m], >= 0. Another length wakes the bodies.
 inline void dCableSetLength(dCableID cable, dReal length) {
   cable->rule.length = dxCableAtLeast0(length);
+  cable->spring.forget();
   cable->wake();
 }
 inline dReal dCableGetLength(dCableID cable) { return cable->rule.length; }  // [m]
@@ -101,6 +104,23 @@ inline void dCableSetBounceVel(dCableID cable, dReal bounce_vel) {
   cable->rule.threshold = dxCableAtLeast0(bounce_vel);
 }
 inline dReal dCableGetBounceVel(dCableID cable) { return cable->rule.threshold; }  // [m/s]
+
+/// Lets the cable stretch beyond its length, by the law and the scheme of tautline/cable_spring.h;
+/// inextensible unless set, or without stiffness. Bounce, its bounce_vel, bounce by energy, ERP and
+/// CFM say nothing to an elastic cable: it has no impacts, and its snap is in dCableGetTautTension
+/// and dCableSetBreakingTension. A law with a `problem` asserts, and changes nothing. Wakes the
+/// bodies.
+inline void dCableSetElasticity(dCableID cable, const tautline::CableElasticity& elasticity) {
+  assert(elasticity.problem() == nullptr);
+  if (elasticity.problem() == nullptr) {
+    cable->spring.set(elasticity);
+    cable->wake();
+  }
+}
+/// As it was set.
+inline const tautline::CableElasticity& dCableGetElasticity(dCableID cable) {
+  return cable->spring.law();
+}
 
 /// An impulse of a step as large as this breaks the cable [N s], >= 0; none unless set. It then
 /// pulls no more, until dCableMend.
@@ -182,6 +202,13 @@ inline dReal dCableGetImpactImpulse(dCableID cable) {
 inline dReal dCableGetTautTension(dCableID cable) {
   dxCableReadImpulse(cable);
   return cable->taut_tension();
+}
+
+/// The largest tension of a step since an elastic cable became stretched last [N]; 0 if
+/// inextensible.
+inline dReal dCableGetPeakTension(dCableID cable) {
+  dxCableReadImpulse(cable);
+  return static_cast<dReal>(cable->spring.peak());
 }
 
 /// 1 if an impulse or a tension has broken it.

@@ -70,7 +70,12 @@ class dxCableSolve {
     void look_again() const {
       for (std::size_t index = 0; index < count; ++index) {
         dxCable& cable = at(index);
+        const dReal before = cable.line.distance;
         cable.line.find(cable.end);
+        if (cable.spring.is_elastic()) {
+          cable.set_row(cable.spring.moved(cable.line.distance - before));
+          continue;
+        }
         cable.row.rate = std::min(cable.row.rate, -cable.line.rate(cable.end) - cable.length_rate);
       }
       solve.fill(acting, count);
@@ -161,7 +166,7 @@ class dxCableSolve {
     }
     for (std::size_t index = 0; index < count && (count > 1 || !by_force); ++index) {
       dxCable& cable = *acting[index].cable;
-      cable.row = cable.rule.beside_others(cable.row);
+      cable.row = cable.spring.is_elastic() ? cable.row : cable.rule.beside_others(cable.row);
     }
     fill(acting, count);
     Overstretch overstretch{*this, acting, count};
@@ -169,7 +174,9 @@ class dxCableSolve {
     m_block.forget();
     for (std::size_t index = 0; index < count; ++index) {
       acting[index].cable->inverse_mass = static_cast<dReal>(m_block.inverse_mass(index));
-      acting[index].cable->of_impacts = impact ? dInfinity : dReal(0);  // one cable's strikes all
+      // one cable's strikes all, but those that stretch
+      const bool strikes = impact && !acting[index].cable->spring.is_elastic();
+      acting[index].cable->of_impacts = strikes ? dInfinity : dReal(0);
     }
     by_force ? pull(acting, count) : join(acting, count);
   }
@@ -180,7 +187,9 @@ class dxCableSolve {
       const dCableID cable = acting[index].cable;
       tautline::CableBlock::Row& row = m_block.row(index);
       cable->fill(row);
-      row.compliance = std::max(cable->cfm, dReal(0)) / m_stepsize;
+      row.compliance = cable->spring.is_elastic()
+                           ? cable->compliance
+                           : static_cast<double>(std::max(cable->cfm, dReal(0)) / m_stepsize);
       for (int side = 0; side < 2; ++side) {
         const dReal* spin = cable->free[side].spin;
         std::copy(spin, spin + 3, row.end[side].spin);
@@ -283,9 +292,10 @@ class dxCableSolve {
     contact.surface.bounce = rebounds ? rate / closing : 0;
     contact.surface.bounce_vel = 0;
     contact.surface.motionN = rebounds ? 0 : rate;
-    if (cable.cfm >= 0) {
+    if (cable.cfm >= 0 || cable.spring.is_elastic()) {
       contact.surface.mode |= dContactSoftCFM;
-      contact.surface.soft_cfm = cable.cfm;
+      contact.surface.soft_cfm =
+          cable.spring.is_elastic() ? static_cast<dReal>(cable.compliance) * m_stepsize : cable.cfm;
     }
     // the normal pushes the joint's first body, which must be one; any point of the line gives
     // both the right torque

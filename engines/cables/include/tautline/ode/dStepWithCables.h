@@ -42,10 +42,10 @@ class dxEventCable {
   dCableID id() const { return m_cable; }
   bool held() const { return m_cable->rule.held(); }
   bool slack() const { return m_cable->rule.slack(); }
-  bool flies() const { return !m_cable->broken && !held() && gap() >= -tolerance(); }
-  bool touches() const {
-    return !m_cable->broken && (gap() <= tolerance() || (held() && m_pulled));
-  }
+  /// An elastic cable has no impacts: it pulls in each part.
+  bool may_strike() const { return !m_cable->broken && !m_cable->spring.is_elastic(); }
+  bool flies() const { return may_strike() && !held() && gap() >= -tolerance(); }
+  bool touches() const { return may_strike() && (gap() <= tolerance() || (held() && m_pulled)); }
   dReal gap() const { return dCableGetGap(m_cable); }
   dReal rate() const { return dCableGetGapRate(m_cable); }
   dReal tolerance() const {

@@ -10,6 +10,7 @@
 
 #include "tautline/cable_block.h"
 #include "tautline/cable_rule.h"
+#include "tautline/cable_spring.h"
 #include "tautline/ode/dCableLine.h"
 
 class dxCableSolve;
@@ -23,6 +24,7 @@ struct dxCable {
 
   dxCableEnd end[2];
   Rule rule;
+  tautline::CableSpring spring;        // of an elastic cable; the rule has its length alone
   dReal cfm = -1;                      // negative: the world's
   dReal breaking = dInfinity;          // impulse [N s]
   dReal breaking_tension = dInfinity;  // outside of impacts [N]
@@ -34,6 +36,7 @@ struct dxCable {
   dxCableLine line;  // before it
   dxMotion free[2];  // of its ends, if no cable pulls
   Rule::Row row = {false, 0};
+  double compliance = 0;           // of an elastic cable's row [1/kg]
   dReal length_rate = 0;           // [m/s]
   dReal aimed_distance = 0;        // of the anchors, by the correction [m]
   dReal correction = 0;            // [m]
@@ -78,14 +81,41 @@ struct dxCable {
 
   /// Sets the row of the step that begins as `at` says, and winds the winch on.
   void ask(const Rule::Start& at) {
-    const bool impact = !by_events && rule.is_impact(at);
     length_rate = rule.length_rate;
     driven_is_known = driven_is_known && by_events;
-    // anchors that coincide have no direction to be pulled in
+    if (spring.is_elastic()) {
+      ask_elastic(at);
+    } else {
+      ask_inextensible(at);
+    }
+    rule.pay_out(at.dt);
+  }
+
+  /// Anchors that coincide have no direction to be pulled in.
+  bool has_line() const { return line.distance > 0 && end[0].body != end[1].body; }
+
+  void set_row(const tautline::CableSpring::Row& of) {
+    row = Rule::Row{of.acts && has_line() && !broken, static_cast<dReal>(of.rate)};
+    compliance = of.compliance;
+  }
+  void ask_elastic(const Rule::Start& at) {
+    tautline::CableBlock::Row ends;
+    fill(ends);
+    set_row(spring.step(tautline::CableSpring::Start(at, ends.inverse_mass(), by_events)));
+    if (broken) {
+      spring.forget();
+    }
+    of_impacts = 0;
+    taut_time = row.acts ? at.dt : dReal(0);
+    correction = -line.distance;  // the others' may stretch it
+  }
+
+  void ask_inextensible(const Rule::Start& at) {
+    const bool impact = !by_events && rule.is_impact(at);
     if (broken) {
       rule.release();
       row = Rule::Row{false, 0};
-    } else if (!(line.distance > 0) || end[0].body == end[1].body) {
+    } else if (!has_line()) {
       row = Rule::Row{false, 0};
     } else if (by_events) {
       if (!rule.touches(at.gap)) {
@@ -101,7 +131,6 @@ struct dxCable {
     // a short part takes out no more than its share
     const dReal share = by_events ? std::min(at.dt / event_stepsize, dReal(1)) : dReal(1);
     correction = share * rule.correction(at);
-    rule.pay_out(at.dt);
     if (correction > Rule::slack_rounding() * rule.length) {
       wake();  // it is moved without velocity
     }
@@ -132,7 +161,11 @@ struct dxCable {
 
   void pulled(dReal by) {
     impulse = by;
-    rule.pulled(by, inverse_mass);
+    if (spring.is_elastic()) {
+      spring.pulled(by);
+    } else {
+      rule.pulled(by, inverse_mass);
+    }
     broken = broken || by >= breaking || (!by_events && taut_tension() >= breaking_tension);
   }
 

@@ -66,8 +66,7 @@ std::vector<std::string> bridge_problems(const BridgeCommand& command) {
     broken.emplace_back("--json -, --html -: only one of them can go to stdout");
   }
   if (command.impacts < 1 || command.impacts > most_compared) {
-    broken.push_back(
-        fmt::format("--impacts {}: must be 1 to {}", command.impacts, most_compared));
+    broken.push_back(fmt::format("--impacts {}: must be 1 to {}", command.impacts, most_compared));
   }
   if (command.stiffness) {
     const auto range = positive_range(*command.stiffness);
@@ -126,8 +125,7 @@ void add_bridge(CLI::App& app, int& code) {
                    "make all cables elastic, with stiffnesses from the first on by factors of ten "
                    "[N/m] (default: four powers of ten that suit the case)")
       ->option_text("FROM..TO");
-  command
-      ->add_option("--impacts", asked->impacts, "compare this many impacts, from the first on")
+  command->add_option("--impacts", asked->impacts, "compare this many impacts, from the first on")
       ->option_text("COUNT")
       ->capture_default_str();
   command

@@ -123,10 +123,10 @@ class BridgeComparison {
   BridgeReading run() {
     if (leading_.impacts.empty()) {
       const bool quiet = inextensible_.events().empty();
-      return {std::nullopt, "there is no impact to compare: " +
-                                (quiet ? fmt::format("nothing happens until t = {:.6g}",
-                                                     inextensible_.end_time())
-                                       : leading_.why)};
+      return {std::nullopt,
+              "there is no impact to compare: " +
+                  (quiet ? fmt::format("nothing happens until t = {:.6g}", inextensible_.end_time())
+                         : leading_.why)};
     }
     for (const double stiffness : stiffnesses()) {
       TheSystem elastic = with_stiffness(stiffness);
@@ -246,9 +246,9 @@ class BridgeComparison {
     for (std::size_t index = 0; index < bridge.impacts.size(); ++index) {
       const ElasticContact& contact = motion.contacts[index];
       const BridgeImpact& impact = bridge.impacts[index];
-      const BridgeContact compared{contact.entry - impact.time,
-                                   contact.exit_speed / contact.entry_speed -
-                                       bridge.cables[impact.cable].restitution};
+      const BridgeContact compared{
+          contact.entry - impact.time,
+          contact.exit_speed / contact.entry_speed - bridge.cables[impact.cable].restitution};
       row.shift = std::max(row.shift, std::abs(compared.shift));
       row.restitution_error = std::max(row.restitution_error, std::abs(compared.restitution_error));
       row.contacts.push_back(compared);
@@ -258,9 +258,8 @@ class BridgeComparison {
       const auto exact = inextensible_.at(time);
       const auto found = motion.solution.at(time);
       for (std::size_t body = 0; body < exact.bodies.size(); ++body) {
-        row.deviation =
-            std::max(row.deviation,
-                     (found.bodies[body].position - exact.bodies[body].position).norm());
+        row.deviation = std::max(
+            row.deviation, (found.bodies[body].position - exact.bodies[body].position).norm());
       }
     }
     return row;

@@ -162,7 +162,8 @@ std::string slope_sentence(const Bridge& bridge) {
 
 constexpr const char* how_to_read_rows =
     "k: stiffness of every cable. Deviation: the largest distance of a centre of mass from its "
-    "place in the inextensible motion. Shift: the largest of the contacts below. Exponent: of k, from the "
+    "place in the inextensible motion. Shift: the largest of the contacts below. Exponent: of k, "
+    "from the "
     "row before. Error of e: the largest of exit speed over entry speed, less the restitution.";
 constexpr const char* how_to_read_shifts =
     "By how many seconds each contact of an elastic cable begins later than the impact.";
@@ -216,8 +217,8 @@ std::string bridge_svg(const Bridge& bridge) {
              muted_text(x, bottom + 18.0, fmt::format("1e{}", power), "middle");
   }
   for (int power = up.low; power <= up.high; ++power) {
-    drawn += grid_across(panel_left, bottom - up.place(power), panel_width,
-                         fmt::format("1e{}", power));
+    drawn +=
+        grid_across(panel_left, bottom - up.place(power), panel_width, fmt::format("1e{}", power));
   }
   drawn += rectangle(frame_look, panel_left, panel_top, panel_width, panel_height) + "\n" +
            muted_text(panel_left + panel_width / 2.0, bottom + 38.0, "stiffness k [N/m]", "middle");
@@ -244,8 +245,8 @@ std::string bridge_svg(const Bridge& bridge) {
 }
 
 std::string bridge_csv(const Bridge& bridge) {
-  std::string csv = csv_line(
-      {"stiffness [N/m]", falling[0].first, falling[1].first, falling[2].first});
+  std::string csv =
+      csv_line({"stiffness [N/m]", falling[0].first, falling[1].first, falling[2].first});
   for (const BridgeRow& row : bridge.rows) {
     csv += csv_line({shortest(row.stiffness), shortest(row.deviation), shortest(row.shift),
                      shortest(row.restitution_error)});

@@ -15,18 +15,17 @@ namespace tautline::bench {
 namespace {
 
 /// The standard case with this restitution.
-Case standard_case(double restitution) {
+Case standard_with(double restitution) {
   std::vector<Case> all = shipped_cases();
-  Case& found = *std::find_if(all.begin(), all.end(), [](const Case& one) {
-    return one.name == "breakwater/1910121100";
-  });
+  Case& found = *std::find_if(all.begin(), all.end(),
+                              [](const Case& one) { return one.name == "breakwater/1910121100"; });
   for (Cable& cable : found.cables) {
     cable.restitution = restitution;
   }
   return found;
 }
 
-Bridge sound(const BridgeReading& reading) {
+Bridge bridge_in(const BridgeReading& reading) {
   EXPECT_EQ(reading.problem, "");
   return reading.bridge.value_or(Bridge());
 }
@@ -43,18 +42,15 @@ struct Published {
   double fifth;              // [s]
   double restitution_error;  // [-], the largest; 0: not published
 };
-constexpr Published published[] = {{.9, 1e4, 5.7e-3, 1.7e-2, 1.7e-2},
-                                   {.9, 1e6, 5.8e-4, 1.4e-3, 1.5e-3},
-                                   {.9, 1e8, 5.8e-5, 1.4e-4, 1.5e-4},
-                                   {.9, 1e10, 5.8e-6, 1.4e-5, 1.5e-5},
-                                   {.7, 1e4, 6.1e-3, 1.5e-1, 0.0},
-                                   {.7, 1e6, 6.2e-4, 1.4e-2, 0.0},
-                                   {.7, 1e8, 6.2e-5, 1.4e-3, 0.0},
-                                   {.7, 1e10, 6.2e-6, 1.4e-4, 0.0}};
+constexpr Published published[] = {
+    {.9, 1e4, 5.7e-3, 1.7e-2, 1.7e-2}, {.9, 1e6, 5.8e-4, 1.4e-3, 1.5e-3},
+    {.9, 1e8, 5.8e-5, 1.4e-4, 1.5e-4}, {.9, 1e10, 5.8e-6, 1.4e-5, 1.5e-5},
+    {.7, 1e4, 6.1e-3, 1.5e-1, 0.0},    {.7, 1e6, 6.2e-4, 1.4e-2, 0.0},
+    {.7, 1e8, 6.2e-5, 1.4e-3, 0.0},    {.7, 1e10, 6.2e-6, 1.4e-4, 0.0}};
 
 TEST(Bridge, HasTheShiftsOfAnotherSolver) {
   for (const double restitution : {.9, .7}) {
-    const Bridge bridge = sound(bridge_of(standard_case(restitution), {1e4, 1e10, 5}));
+    const Bridge bridge = bridge_in(bridge_of(standard_with(restitution), {1e4, 1e10, 5}));
     ASSERT_EQ(bridge.impacts.size(), 5U) << bridge.why;
     for (const Published& one : published) {
       if (one.restitution != restitution) {  // the same number, not a computed one
@@ -77,14 +73,14 @@ TEST(Bridge, HasTheShiftsOfAnotherSolver) {
 
 /// Of a case in the plane, of several bodies, of moving ends, and of space.
 TEST(Bridge, FallsWithTheRootOfTheStiffness) {
-  const std::vector<AnyCase> cases = {standard_case(.9),
-                                      standard_case(1.0),
+  const std::vector<AnyCase> cases = {standard_with(.9),
+                                      standard_with(1.0),
                                       bouncing_ball(),
                                       test::named(shipped_systems(), "breakwater-and-ball"),
                                       test::named(shipped_systems(), "breakwater-shaken"),
                                       test::named(shipped_spatial_systems(), "tethered-ball")};
   for (const AnyCase& any : cases) {
-    const Bridge bridge = sound(bridge_of(any, {}));
+    const Bridge bridge = bridge_in(bridge_of(any, {}));
     ASSERT_GE(bridge.rows.size(), 5U) << name_of(any);
     ASSERT_TRUE(bridge.deviation_slope && bridge.shift_slope);
     EXPECT_NEAR(*bridge.deviation_slope, expected_slope, slope_tolerance) << name_of(any);
@@ -103,7 +99,7 @@ TEST(Bridge, HasTheRestitutionOfAContactUnderALoad) {
       "to = [0.0, 0.0]\nlength = 1.0\nrestitution = 0.74407939772177968881\n",
       "drop.toml");
   ASSERT_TRUE(reading.system);
-  const Bridge bridge = sound(bridge_of(*reading.system, {1e4, 1e5, 1}));
+  const Bridge bridge = bridge_in(bridge_of(*reading.system, {1e4, 1e5, 1}));
   ASSERT_EQ(bridge.impacts.size(), 1U) << bridge.why;
   EXPECT_NEAR(bridge.cables.front().damping_ratio, 0.1, 1e-14);
   // rounding of a length is eps L against a stretch of v / w = L / 100
@@ -112,15 +108,15 @@ TEST(Bridge, HasTheRestitutionOfAContactUnderALoad) {
 }
 
 TEST(Bridge, ComparesTheImpactsThatKeepTheirOrder) {
-  const Bridge soft = sound(bridge_of(standard_case(.9), {1e3, 1e8, 8}));
+  const Bridge soft = bridge_in(bridge_of(standard_with(.9), {1e3, 1e8, 8}));
   EXPECT_EQ(soft.impacts.size(), 2U);
   EXPECT_EQ(soft.why,
             "with 1000 N/m no whole contact of one cable comes in the place of impact 3; a larger "
             "stiffness has more of them");
-  const Bridge stiff = sound(bridge_of(standard_case(.9), {1e6, 1e8, 8}));
+  const Bridge stiff = bridge_in(bridge_of(standard_with(.9), {1e6, 1e8, 8}));
   EXPECT_EQ(stiff.impacts.size(), 8U);
   EXPECT_EQ(stiff.why, "");
-  const Bridge fewer = sound(bridge_of(standard_case(.9), {1e6, 1e8, 1}));
+  const Bridge fewer = bridge_in(bridge_of(standard_with(.9), {1e6, 1e8, 1}));
   ASSERT_EQ(fewer.impacts.size(), 1U);
   EXPECT_GT(fewer.until, fewer.impacts.front().time);
   EXPECT_LT(fewer.until, stiff.impacts[1].time);
@@ -132,18 +128,18 @@ TEST(Bridge, SaysWhyThereIsNone) {
     EXPECT_FALSE(reading.bridge);
     return reading.problem;
   };
-  System elastic = as_system(standard_case(.9));
+  System elastic = as_system(standard_with(.9));
   elastic.cables[1].elasticity.emplace().stiffness = {1e4};
   EXPECT_EQ(problem(elastic).find("cable 1 is elastic already; "), 0U) << problem(elastic);
-  Case by_speed = standard_case(.9);
+  Case by_speed = standard_with(.9);
   by_speed.cables[0].restitution_table = {{0.1, 0.9}, {1.0, 0.5}};
   EXPECT_EQ(problem(by_speed),
             "cable 0 has a restitution that depends on the speed, to which no one damping ratio "
             "belongs");
-  Case short_one = standard_case(.9);
+  Case short_one = standard_with(.9);
   short_one.duration = 0.01;
   EXPECT_EQ(problem(short_one), "there is no impact to compare: nothing happens until t = 0.01");
-  Case both = standard_case(.9);
+  Case both = standard_with(.9);
   for (const Case& one : shipped_cases()) {
     both = one.name == "level-beam" ? one : both;
   }
@@ -151,7 +147,7 @@ TEST(Bridge, SaysWhyThereIsNone) {
 }
 
 TEST(Bridge, IsWrittenInThreeWays) {
-  const Bridge bridge = sound(bridge_of(standard_case(.9), {1e5, 1e7, 3}));
+  const Bridge bridge = bridge_in(bridge_of(standard_with(.9), {1e5, 1e7, 3}));
   const std::string text = bridge_text(bridge, unlimited);
   for (const char* const words :
        {"restitution 0.9 is a damping ratio of 0.0342652", "The first 3 impacts are compared",

@@ -39,21 +39,6 @@ struct CalibrateCommand {
   std::string json;
 };
 
-/// Both ends of "0.05..2"; none if it is no range above zero.
-std::optional<std::pair<double, double>> speed_range(const std::string& text) {
-  const std::size_t dots = text.find("..");
-  if (dots == text.npos) {
-    return std::nullopt;
-  }
-  double low = 0.0;
-  double high = 0.0;
-  const bool read = CLI::detail::lexical_cast(text.substr(0, dots), low) &&
-                    CLI::detail::lexical_cast(text.substr(dots + 2), high);
-  return read && low > 0.0 && high > low && std::isfinite(high)
-             ? std::optional(std::pair(low, high))
-             : std::nullopt;
-}
-
 /// The model `name` of an engine; none if it does not say that it has it.
 std::optional<Model> model_of(const RegisteredEngine& engine, const std::string& name) {
   for (const Model& model : engine.info->models) {
@@ -111,7 +96,7 @@ std::vector<std::string> calibration_problems(const CalibrateCommand& command) {
   if (!(command.restitution >= 0.0 && command.restitution <= 1.0)) {
     broken.push_back(fmt::format("--restitution {:g} is outside [0, 1]", command.restitution));
   }
-  if (!speed_range(command.speeds)) {
+  if (!positive_range(command.speeds)) {
     broken.push_back("--speeds " + printable(command.speeds) +
                      " is no range of speeds above 0 m/s, such as 0.05..2");
   }
@@ -131,7 +116,7 @@ std::vector<std::string> calibration_problems(const CalibrateCommand& command) {
 /// What was asked, once it is known to be sound.
 CalibrationRequest request_of(const CalibrateCommand& command, const RegisteredEngine& engine,
                               const Model& model) {
-  const auto [slowest, fastest] = speed_range(command.speeds).value();
+  const auto [slowest, fastest] = positive_range(command.speeds).value();
   CalibrationRequest request{.plugin = engine.plugin,
                              .model = model,
                              .searched = {},

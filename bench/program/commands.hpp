@@ -19,6 +19,7 @@ void add_merge(CLI::App& app, int& code, const std::string& command_line);
 void add_compare(CLI::App& app, int& code);
 void add_trend(CLI::App& app, int& code, const std::string& command_line);
 void add_ensemble(CLI::App& app, int& code);
+void add_bridge(CLI::App& app, int& code);
 void add_check(CLI::App& app, int& code);
 void add_calibrate(CLI::App& app, int& code);
 void add_reproduce(CLI::App& app, int& code);

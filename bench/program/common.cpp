@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <iterator>
 #include <map>
@@ -67,6 +68,20 @@ void write_output(const std::string& target, const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
     throw FileError("cannot write to standard output");
   }
+}
+
+std::optional<std::pair<double, double>> positive_range(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == text.npos) {
+    return std::nullopt;
+  }
+  double low = 0.0;
+  double high = 0.0;
+  const bool read = CLI::detail::lexical_cast(text.substr(0, dots), low) &&
+                    CLI::detail::lexical_cast(text.substr(dots + 2), high);
+  return read && low > 0.0 && high > low && std::isfinite(high)
+             ? std::optional(std::pair(low, high))
+             : std::nullopt;
 }
 
 std::optional<Case> one_case(const std::string& argument, CableSet taut) {

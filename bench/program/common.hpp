@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/cases/bench_case.hpp"
@@ -45,6 +46,9 @@ void append(std::vector<std::string>& sentences, const std::vector<std::string>&
 
 /// Writes `text` to the file `target`, or to standard output for "-". Makes no folder.
 void write_output(const std::string& target, const std::string& text);
+
+/// Both ends of "0.05..2"; none if it is no range above zero.
+[[nodiscard]] std::optional<std::pair<double, double>> positive_range(const std::string& text);
 
 /// What a CASE may be.
 inline constexpr const char* case_help =

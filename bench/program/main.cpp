@@ -60,6 +60,7 @@ void add_commands(CLI::App& app, int& code, const std::string& command_line) {
   add_compare(app, code);
   add_trend(app, code, command_line);
   add_ensemble(app, code);
+  add_bridge(app, code);
   add_check(app, code);
   add_calibrate(app, code);
   add_reproduce(app, code);

@@ -167,7 +167,7 @@ std::string help_text(const Outline& outline, std::size_t width) {
     commands.emplace_back(command.name, command.summary);
   }
   return wrapped(outline.summary, width) + "usage: tautline COMMAND [OPTIONS]\n" +
-         section("commands", commands, width) + example_lines(outline.examples, width) + "\n" +
+         section("commands", commands, width) + example_lines(outline.examples, width) +
          wrapped("Run `tautline COMMAND --help` for details, `tautline --version` for the version.",
                  width);
 }

@@ -66,8 +66,8 @@ TEST(Golden, Solve) {
 TEST(Golden, Help) {
   std::string all = printed({"help"});
   for (const char* command :
-       {"solve", "run", "bench", "merge", "compare", "trend", "ensemble", "check", "calibrate",
-        "reproduce", "engines", "cases", "schema", "help"}) {
+       {"solve", "run", "bench", "merge", "compare", "trend", "ensemble", "bridge", "check",
+        "calibrate", "reproduce", "engines", "cases", "schema", "help"}) {
     all += "\n" + printed({"help", command});
   }
   expect_golden("help.txt", all);

@@ -103,7 +103,7 @@ TEST(Readme, IsShort) {
 }
 
 TEST(Pages, ShowWhatTheProgramPrints) {
-  for (const std::string page : {"guides/bench", "guides/check", "reference/case-file"}) {
+  for (const std::string page : {"guides/bench", "guides/check", "reference/case-file", "snap"}) {
     expect_true_blocks(TAUTLINE_DOCS "/" + page + ".md", 1);
   }
 }

@@ -400,5 +400,14 @@ TEST(SolveSystems, SaysThatAFileCannotBeWritten) {
   EXPECT_FALSE(std::filesystem::exists("p.svg"));
 }
 
+TEST(BridgeOfSystems, JsonIsWhatItsSchemaSays) {
+  const Outcome outcome = program({"bridge", "breakwater-and-ball", "--json", "-"});
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const auto bridge = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(broken_rules_of(bridge, "bridge"), "");
+  EXPECT_EQ(bridge.at("case"), "breakwater-and-ball");
+  EXPECT_EQ(bridge.at("cables").size(), 3U);
+}
+
 }  // namespace
 }  // namespace tautline::test

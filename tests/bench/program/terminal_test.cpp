@@ -43,8 +43,9 @@ TEST(Terminal, WithoutACommandThereIsAShortHelpWithAllCommands) {
   const Outcome bare = program({});
   EXPECT_EQ(bare.code, 0) << "to ask for nothing is no mistake";
   EXPECT_EQ(bare.errors, "");
-  for (const char* command : {"solve", "vector", "run", "bench", "compare", "trend", "ensemble",
-                              "check", "calibrate", "reproduce", "engines", "cases", "help"}) {
+  for (const char* command :
+       {"solve", "vector", "run", "bench", "compare", "trend", "ensemble", "bridge", "check",
+        "calibrate", "reproduce", "engines", "cases", "help"}) {
     EXPECT_NE(bare.output.find(std::string("\n  ") + command + " "), std::string::npos) << command;
   }
   EXPECT_LE(lines_in(bare.output), 24U) << "a screen\n" << bare.output;

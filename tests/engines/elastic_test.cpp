@@ -430,7 +430,6 @@ TEST_P(ElasticInEngine, OtherModelsSayWhichCableIsElastic) {
   EXPECT_EQ(refused == 0, GetParam().engine == "exact");
 }
 
-<<<<<<< HEAD
 /// An inextensible cable behind an elastic one keeps its number.
 TEST_P(ElasticInEngine, RefusesTheInextensibleCableOfTheUser) {
   SpatialSystem system = snap(0.0);
@@ -449,7 +448,9 @@ TEST_P(ElasticInEngine, RefusesTheInextensibleCableOfTheUser) {
           : "";
   for (const std::string& model : stepped_models(engine())) {
     EXPECT_EQ(why_not(engine(), system, model), why);
-=======
+  }
+}
+
 TEST_P(ElasticInEngine, DropInCablesNeedAStiffnessThatNeverFalls) {
   SpatialSystem system = snap(0.0);
   system.cables[0].elasticity->stiffness.push_back(-1.0);
@@ -459,7 +460,6 @@ TEST_P(ElasticInEngine, DropInCablesNeedAStiffnessThatNeverFalls) {
                   ? "unsupported: cable 0 as tautline's drop-in cable: each stiffness "
                     "of an elastic cable must be a finite number of at least 0"
                   : "");
->>>>>>> dropin41
   }
 }
 

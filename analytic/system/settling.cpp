@@ -12,6 +12,14 @@
 namespace tautline {
 namespace {
 
+/// Keeps `value` where it is the largest so far, the first of those that are equal to rounding.
+template <class Real>
+void keep_largest(std::optional<BasicPeak<Real>>& most, const Real& value, const Real& time) {
+  if (!most || value > most->value * (1 + same_tension)) {
+    most = {value, time};
+  }
+}
+
 /// The share of cable `index` in the run.
 template <class Real, int D>
 BasicCableUse<Real> use_of(const BasicSolution<BasicSystem<Real, D>>& solution, std::size_t index) {
@@ -38,9 +46,8 @@ BasicCableUse<Real> use_of(const BasicSolution<BasicSystem<Real, D>>& solution, 
     for (const std::size_t other : event.cables) {
       row += other < index ? 1 : 0;
     }
-    const Real& impulse = event.impulses[row];
-    if (impulse > 0 && (!result.impulse || impulse > result.impulse->value * (1 + same_tension))) {
-      result.impulse = {impulse, event.time};
+    if (event.impulses[row] > 0) {
+      keep_largest(result.impulse, event.impulses[row], event.time);
     }
   }
   return result;
@@ -51,16 +58,11 @@ template <class Real>
 BasicCableUse<Real> elastic_use(const std::vector<BasicElasticContact<Real>>& contacts,
                                 std::size_t index, const Real& duration) {
   BasicCableUse<Real> result;
-  const auto add = [](auto& most, const Real& value, const Real& time) {
-    if (!most || value > most->value * (1 + same_tension)) {
-      most = {value, time};
-    }
-  };
   for (const auto& contact : contacts) {
     if (contact.cable == index) {
       result.taut_share += (contact.exit.value_or(duration) - contact.entry) / duration;
-      add(result.tension, contact.peak, contact.peak_time);
-      add(result.impulse, contact.impulse, contact.entry);
+      keep_largest(result.tension, contact.peak, contact.peak_time);
+      keep_largest(result.impulse, contact.impulse, contact.entry);
     }
   }
   return result;

@@ -134,6 +134,17 @@ bool is_required(const Form& key) {
           std::any_of(inside.begin(), inside.end(), is_required));
 }
 
+/// A schema for each of `keys` that a table may have, with spaces between.
+Json any_of_keys(std::string_view keys) {
+  Json result = Json::array();
+  while (!keys.empty()) {
+    const std::size_t end = std::min(keys.find(' '), keys.size());
+    result.push_back({{"required", {keys.substr(0, end)}}});
+    keys.remove_prefix(std::min(end + 1, keys.size()));
+  }
+  return result;
+}
+
 Json schema_of_keys(const Form& table) {
   Json properties = Json::object();
   Json required = Json::array();
@@ -142,13 +153,16 @@ Json schema_of_keys(const Form& table) {
   for (const Form& key : table.inside) {
     properties[key.key] = schema_of_form(key);
     if (is_required(key) && !key.unless.empty()) {
-      for (const std::string& one : {key.key, std::string(key.unless)}) {
-        any_of.push_back({{"required", {one}}});
+      any_of.push_back({{"required", {key.key}}});
+      for (const Json& one : any_of_keys(key.unless)) {
+        any_of.push_back(one);
       }
     } else if (is_required(key)) {
       required.push_back(key.key);
     }
-    if (!key.needs.empty()) {
+    if (const Json needs = any_of_keys(key.needs); needs.size() > 1) {
+      together[key.key] = {{"anyOf", needs}};
+    } else if (!needs.empty()) {
       together[key.key].push_back(key.needs);
     }
     if (!key.with.empty()) {

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "bench/base/form.hpp"
 #include "bench/base/listed.hpp"
@@ -139,7 +142,7 @@ Json any_of_keys(std::string_view keys) {
   Json result = Json::array();
   while (!keys.empty()) {
     const std::size_t end = std::min(keys.find(' '), keys.size());
-    result.push_back({{"required", {keys.substr(0, end)}}});
+    result.push_back({{"required", {std::string(keys.substr(0, end))}}});
     keys.remove_prefix(std::min(end + 1, keys.size()));
   }
   return result;
@@ -161,9 +164,9 @@ Json schema_of_keys(const Form& table) {
       required.push_back(key.key);
     }
     if (const Json needs = any_of_keys(key.needs); needs.size() > 1) {
-      together[key.key] = {{"anyOf", needs}};
+      together[key.key]["anyOf"] = needs;
     } else if (!needs.empty()) {
-      together[key.key].push_back(key.needs);
+      together[key.key].push_back(std::string(key.needs));
     }
     if (!key.with.empty()) {
       together[key.key].push_back(key.with);

@@ -154,8 +154,8 @@ TEST(ElasticFile, AMistakeGivesOneSentence) {
        "14: cables[0].capture_speed = 0.1: is for an inextensible cable, must be left out with EA"},
       {"stiffness = 5.0\ncorners = [[0.1, 0.0]]",
        "14: cable 0: corners[0]: stiffness 0 must be a finite number above 0 [N/m]"},
-      {"stiffness = 5.0\ncorners = [0.1, 7.0]",
-       "14: cables[0].corners[0] = 0.1: is a number, must be two numbers [stretch, stiffness] [m, "
+      {"stiffness = 5.0\ncorners = [[0.1, 7.0], 7.0]",
+       "14: cables[0].corners[1] = 7: is a number, must be two numbers [stretch, stiffness] [m, "
        "N/m]"},
       {"stiffness = [5.0, 1.0]\ncorners = [[0.1, 7.0]]",
        "14: cable 0: corners go on from one stiffness, and 2 coefficients are given; must be one"},

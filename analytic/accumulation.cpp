@@ -11,6 +11,15 @@
 namespace tautline {
 namespace {
 
+/// True for an elastic cable: it takes no impacts.
+template <class TheCase>
+bool is_elastic(const CableOf<TheCase>& cable) {
+  if constexpr (TheCase::has_several_bodies) {
+    return cable.elasticity.has_value();
+  }
+  return false;
+}
+
 /// The cables outside `cables` that could close before the bounces on `cables` are over.
 template <class TheCase, class Real = RealOf<TheCase>>
 CableSet within_reach(const TheCase& the_case, const StateOf<TheCase>& state, CableSet cables,
@@ -19,14 +28,9 @@ CableSet within_reach(const TheCase& the_case, const StateOf<TheCase>& state, Ca
   const Real change = scale.margin * scale.acceleration * remaining;  // [m/s], of a rate
   CableSet result;
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
-    if (cables.contains(index)) {
-      continue;
-    }
     const CableOf<TheCase>& cable = the_case.cables[index];
-    if constexpr (TheCase::has_several_bodies) {
-      if (cable.elasticity) {  // it never closes
-        continue;
-      }
+    if (cables.contains(index) || is_elastic<TheCase>(cable)) {
+      continue;
     }
     const Real rate = gap_rate(cable, state);
     const Real own = delassus(the_case, state, index);
@@ -149,12 +153,7 @@ template <class TheCase>
 bool overstretches(const TheCase& the_case, const StateOf<TheCase>& state, CableSet cables) {
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     const CableOf<TheCase>& cable = the_case.cables[index];
-    if constexpr (TheCase::has_several_bodies) {
-      if (cable.elasticity) {
-        continue;
-      }
-    }
-    if (!cables.contains(index) &&
+    if (!cables.contains(index) && !is_elastic<TheCase>(cable) &&
         gap(cable, state) < -rounding_margin * rounding_of_gap(cable, state)) {
       return true;
     }

@@ -122,9 +122,10 @@ BasicCableVector<RealOf<TheCase>> BasicSolution<TheCase>::tensions(const BasicAr
   BasicCableVector<Real> result =
       BasicCableVector<Real>::Zero(static_cast<Eigen::Index>(system_.cables.size()));
   if constexpr (TheCase::has_several_bodies) {
-    for (const std::size_t index : arc.initial.elastic.engaged) {
-      result[static_cast<Eigen::Index>(index)] =
-          max(Real(0), elastic_tension(system_, index, arc.after(dt, gravity())));
+    for (const std::size_t index : arc.initial.elastic.pulling()) {
+      const Real tension = elastic_tension(system_, index, arc.after(dt, gravity()));
+      const bool may_push = system_.cables[index].elasticity->cut != ElasticCut::force;
+      result[static_cast<Eigen::Index>(index)] = may_push ? tension : max(Real(0), tension);
     }
   }
   if (arc.taut.empty()) {

@@ -336,7 +336,7 @@ class Motion final : public PausedMotion<TheCase> {
     }
     if (stop.is_knot || !switches.empty()) {
       StateOf<TheCase> after = switched(case_, state_, switches);
-      touching_.at_zero = touching_.at_zero | at_zero_after(switches, state_, after);
+      touching_.at_zero = zeros_after(case_, touching_.at_zero, switches, state_, after);
       enter(stop.is_knot ? with_zones(case_, std::move(after)) : std::move(after));
     }
   }
@@ -382,9 +382,11 @@ class Motion final : public PausedMotion<TheCase> {
     record_.events.push_back({time_, kind, cables, std::move(impulses), state_, after});
     state_ = std::move(after);
     if constexpr (TheCase::has_several_bodies) {
-      touching_.at_zero = jumps ? CableSet{} : touching_.at_zero;
-      if (jumps && !state_.elastic.stretched().empty()) {  // their tensions have jumped, too
-        enter(with_zones(case_, state_));
+      if (jumps) {
+        touching_.at_zero = {};
+        if (!state_.elastic.stretched().empty()) {  // their tensions have jumped, too
+          enter(with_zones(case_, state_));
+        }
       }
     }
   }

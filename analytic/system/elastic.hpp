@@ -3,7 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "tautline/detail/series.hpp"
+#include "system/turning_series.hpp"
+#include "tautline/detail/rounding.hpp"
 #include "tautline/system_geometry.hpp"
 
 // How elastic cables change between slack, engaged and loose (E4). A switch is a stop of the loop
@@ -17,37 +18,80 @@ template <class Real, int D>
   return state.elastic.stretched().contains(index);
 }
 
-/// The damping [N s/m] of an elastic cable: the present one where it is stretched, else the one
-/// that it would have if it became so.
+/// The damping [N s/m] of an elastic cable: the present one where it is stretched or resists, else
+/// the one that it would have if it became stretched.
 template <class Real, int D>
 [[nodiscard]] Real damping_of(const BasicSystem<Real, D>& system, std::size_t index,
                               const BasicSystemState<Real, D>& state) {
-  if (is_stretched(state, index)) {
+  if ((state.elastic.stretched() | state.elastic.resisting).contains(index)) {
     return state.elastic.damping[index];
   }
   const BasicElasticity<Real>& law = *system.cables[index].elasticity;
-  return law.damping_ratio > 0 ? Real(2 * law.damping_ratio *
-                                      sqrt(Real(law.stiffness[0] / delassus(system, state, index))))
-                               : law.damping;
+  if (!(law.damping_ratio > 0)) {
+    return law.damping;
+  }
+  const Real stiffness = spring_stiffness(law, Real(0), length_at(system.cables[index], state));
+  return 2 * law.damping_ratio * sqrt(Real(stiffness / delassus(system, state, index)));
 }
 
-/// The size of the tensions [N] that a cable has at this `stretch` [m] and its `rate` [m/s], and
-/// within a part of a period: its `response` [1/kg] gives the period.
+/// The size of the tensions [N] that a cable of this `length` [m] has at this `stretch` [m] and its
+/// `rate` [m/s], and within a part of a period: its `response` [1/kg] gives the period.
 template <class Real>
-[[nodiscard]] Real tension_size(const BasicElasticity<Real>& law, const Real& damping,
-                                const Real& response, const Real& stretch, const Real& rate) {
-  const Real stiffness = abs(spring_stiffness(law, stretch));
-  return abs(spring_force(law, stretch)) + (damping + sqrt(Real(stiffness / response))) * abs(rate);
+[[nodiscard]] Real tension_size(const BasicElasticity<Real>& law, const Real& length,
+                                const Real& damping, const Real& response, const Real& stretch,
+                                const Real& rate) {
+  const Real stiffness = abs(spring_stiffness(law, stretch, length));
+  return abs(spring_force(law, stretch, length)) +
+         (damping + sqrt(Real(stiffness / response))) * abs(rate);
+}
+
+/// The force f(x) = constant + slope x + k2 x^2 + ... of a law that is past some corners, with
+/// the energy of x: `energy` + constant x + slope x^2 / 2 + k2 x^3 / 3 + ...
+template <class Real>
+struct ForcePiece {
+  Real constant = Real(0);  // [N]
+  Real slope = Real(0);     // [N/m], or [N]
+  Real energy = Real(0);    // [J], or [N]
+};
+template <class Real>
+[[nodiscard]] ForcePiece<Real> force_piece(const BasicElasticity<Real>& law, std::size_t past) {
+  ForcePiece<Real> result{Real(0), past == 0 ? law.stiffness[0] : law.corners[past - 1].stiffness,
+                          Real(0)};
+  for (std::size_t i = 0; i < past; ++i) {
+    const Real& at = law.corners[i].stretch;
+    const Real fall = rise_at(law, i) * at;
+    result.constant -= fall;
+    result.energy += fall * at / 2;
+  }
+  return result;
+}
+
+/// Lets the damper of elastic cable `index` act from now on in `state`, which slack cables have.
+template <class Real, int D>
+void begin_resisting(const BasicSystem<Real, D>& system, std::size_t index,
+                     BasicSystemState<Real, D>& state) {
+  const Real damping = damping_of(system, index, state);
+  state.elastic.damping.resize(system.cables.size(), Real(0));
+  state.elastic.damping[index] = damping;
+  state.elastic.resisting.insert(index);
 }
 
 /// Lets elastic cable `index` be stretched from now on in `state`.
 template <class Real, int D>
 void begin_stretch(const BasicSystem<Real, D>& system, std::size_t index,
                    BasicSystemState<Real, D>& state) {
-  const Real damping = damping_of(system, index, state);
-  state.elastic.damping.resize(system.cables.size(), Real(0));
-  state.elastic.damping[index] = damping;
+  begin_resisting(system, index, state);
+  state.elastic.resisting.erase(index);
   state.elastic.engaged.insert(index);
+  const BasicCableOfSystem<Real, D>& cable = system.cables[index];
+  if (const BasicElasticity<Real>& law = *cable.elasticity; !law.corners.empty()) {
+    state.elastic.past.resize(system.cables.size(), 0);
+    const Real x = -gap(cable, state) / base_of(law, length_at(cable, state));
+    std::size_t& past = state.elastic.past[index];
+    for (past = 0; past < law.corners.size() && x > law.corners[past].stretch;) {
+      ++past;
+    }
+  }
 }
 
 /// `state` after these `switches`.
@@ -55,7 +99,13 @@ template <class Real, int D>
 [[nodiscard]] BasicSystemState<Real, D> switched(const BasicSystem<Real, D>& system,
                                                  BasicSystemState<Real, D> state,
                                                  const ElasticSwitches& switches) {
-  auto& [engaged, loose, damping] = state.elastic;
+  auto& [engaged, loose, resisting, damping, past] = state.elastic;
+  for (const std::size_t index : switches.passing) {
+    ++past[index];
+  }
+  for (const std::size_t index : switches.returning) {
+    --past[index];
+  }
   for (const std::size_t index : switches.engaging) {
     if (loose.contains(index)) {
       loose.erase(index);
@@ -65,7 +115,10 @@ template <class Real, int D>
     }
   }
   for (const std::size_t index : switches.letting_go) {
-    if (engaged.contains(index) && damping[index] > 0) {
+    const ElasticCut cut = system.cables[index].elasticity->cut;
+    if (cut == ElasticCut::never) {
+      resisting.insert(index);
+    } else if (cut == ElasticCut::force && engaged.contains(index) && damping[index] > 0) {
       loose.insert(index);
     } else {
       loose.erase(index);
@@ -75,19 +128,26 @@ template <class Real, int D>
   return state;
 }
 
-/// Sorts elastic cable `index` in `state` by the sign of its tension, if it is `stretched` now;
-/// else it is slack.
+/// Sorts elastic cable `index` in `state`, `stretched` now or slack, by what it pulls with; one that
+/// does not act has no zone.
 template <class Real, int D>
-void sort_zone(const BasicSystem<Real, D>& system, std::size_t index, bool stretched,
+void sort_zone(const BasicSystem<Real, D>& system, std::size_t index, bool stretched, bool acts,
                BasicSystemState<Real, D>& state) {
+  const ElasticCut cut = system.cables[index].elasticity->cut;
   if (stretched && !is_stretched(state, index)) {
     begin_stretch(system, index, state);
   }
-  const bool pulls = stretched && elastic_tension(system, index, state) > 0;
-  state.elastic.engaged.erase(index);
-  state.elastic.loose.erase(index);
-  if (stretched) {
-    (pulls ? state.elastic.engaged : state.elastic.loose).insert(index);
+  const bool pulls = stretched && acts &&
+                     (cut != ElasticCut::force || elastic_tension(system, index, state) > 0);
+  auto& zones = state.elastic;
+  zones.engaged.erase(index);
+  zones.loose.erase(index);
+  if (!acts) {
+    zones.resisting.erase(index);
+  } else if (stretched) {
+    (pulls ? zones.engaged : zones.loose).insert(index);
+  } else if (cut == ElasticCut::never) {
+    begin_resisting(system, index, state);
   }
 }
 
@@ -98,13 +158,40 @@ template <class Real, int D>
                                                    BasicSystemState<Real, D> state) {
   for (std::size_t index = 0; index < system.cables.size(); ++index) {
     const auto& cable = system.cables[index];
-    if (cable.elasticity &&
-        (is_stretched(state, index) ||
-         (cable.from_time.value_or(Real(0)) == state.time && gap(cable, state) < 0))) {
-      sort_zone(system, index, cable.acts_at(state.time), state);
+    if (cable.elasticity) {
+      const bool begins = cable.from_time.value_or(Real(0)) == state.time && gap(cable, state) < 0;
+      sort_zone(system, index, is_stretched(state, index) || begins, cable.acts_at(state.time),
+                state);
     }
   }
   return state;
+}
+
+/// Elastic cables with something that is exactly zero at an instant: that is no switch.
+struct ElasticZeros {
+  CableSet pull;      // the gap of a slack one, what ends the pull of a stretched one
+  CableSet passed;    // the stretch beyond the corner that it has passed last
+  CableSet returned;  // the stretch up to its next corner
+};
+
+/// All that is exactly zero after `switches`, with all that was `before` where no time has passed:
+/// what is searched for but the tension of a damped cable that engages from slack and may not push.
+template <class Real, int D>
+[[nodiscard]] ElasticZeros zeros_after(const BasicSystem<Real, D>& system,
+                                       const ElasticZeros& before, const ElasticSwitches& switches,
+                                       const BasicSystemState<Real, D>& state,
+                                       const BasicSystemState<Real, D>& after) {
+  ElasticZeros result = before;
+  result.pull = result.pull | switches.letting_go;
+  for (const std::size_t index : switches.engaging) {
+    if (is_stretched(state, index) || after.elastic.damping[index] == 0 ||
+        system.cables[index].elasticity->cut != ElasticCut::force) {
+      result.pull.insert(index);
+    }
+  }
+  result.passed = (result.passed - switches.returning) | switches.passing;
+  result.returned = (result.returned - switches.passing) | switches.returning;
+  return result;
 }
 
 /// The switches of elastic cables at an instant.
@@ -114,62 +201,107 @@ struct FirstSwitch {
   ElasticSwitches switches;
 };
 
-/// The first switch of an elastic cable along `motion`, which starts at `state`, before `until` [s]
-/// (E4). The zero that the cables `at_zero` start with is known, and no switch.
+/// A polynomial of time that falls to zero where an elastic cable switches.
+template <class Real>
+struct Searched {
+  std::size_t index;                   // of the cable
+  Polynomial<Real> f;                  // without the `zeros` that its leading coefficients are
+  std::size_t zeros;                   // 0 or 1
+  bool of_tension;                     // else of a length
+  CableSet ElasticSwitches::*becomes;  // the set of those that switch so
+};
+
+/// Calls `look` with all that is above zero as long as cable `index` stays in its zone and between
+/// its corners.
+template <class Real, int D, class Motion, class Look>
+void each_searched(const BasicSystem<Real, D>& system, const BasicSystemState<Real, D>& state,
+                   const Motion& motion, const ElasticZeros& zeros, std::size_t index,
+                   const Look& look) {
+  const auto see = [&](std::span<const Real> f, bool is_zero, bool of_tension,
+                       CableSet ElasticSwitches::*becomes) {
+    const std::size_t leading = is_zero ? 1 : 0;
+    look(Searched<Real>{index, Polynomial<Real>(f, leading), leading, of_tension, becomes});
+  };
+  const auto turned = [](std::span<const Real> f) {
+    return series::polynomial<Real>(f.size(), [&](std::size_t k) { return Real(-f[k]); });
+  };
+  const bool at_zero = zeros.pull.contains(index);
+  if (state.elastic.engaged.contains(index) &&
+      system.cables[index].elasticity->cut != ElasticCut::force) {
+    see(turned(motion.gap(index)), at_zero, false, &ElasticSwitches::letting_go);
+  } else if (state.elastic.engaged.contains(index)) {
+    see(motion.tension(index), at_zero, true, &ElasticSwitches::letting_go);
+  } else if (state.elastic.loose.contains(index)) {
+    see(turned(motion.tension(index)), at_zero, true, &ElasticSwitches::engaging);
+    see(turned(motion.gap(index)), false, false, &ElasticSwitches::letting_go);
+  } else {
+    see(motion.gap(index), at_zero, false, &ElasticSwitches::engaging);
+    return;
+  }
+  const std::vector<BasicCorner<Real>>& corners = system.cables[index].elasticity->corners;
+  const std::size_t past = state.elastic.corners_past(index);
+  if (past < corners.size()) {
+    see(turned(motion.beyond(index, corners[past].stretch)), zeros.returned.contains(index), false,
+        &ElasticSwitches::passing);
+  }
+  if (past > 0) {
+    see(motion.beyond(index, corners[past - 1].stretch), zeros.passed.contains(index), false,
+        &ElasticSwitches::returning);
+  }
+}
+
+/// True where `one` has fallen to zero from clearly above it at `dt` [s], as far as the stretch of
+/// its cable can tell.
+template <class Real, int D>
+[[nodiscard]] bool is_zero_at(const BasicSystem<Real, D>& system,
+                              const BasicSystemState<Real, D>& state, const Searched<Real>& one,
+                              const Real& dt) {
+  const BasicCableOfSystem<Real, D>& cable = system.cables[one.index];
+  const Real length = length_at(cable, state);
+  Real rounding = few_roundings * epsilon<Real>() * length;
+  if (one.of_tension) {
+    rounding *= spring_stiffness(*cable.elasticity, Real(-gap(cable, state)), length);
+  }
+  const auto now = one.f.at(dt);
+  const Real factor = one.zeros == 0 ? Real(1) : dt;
+  return now.rate < 0 && now.value * factor <= rounding &&
+         one.f.at_start().value * factor > 2 * rounding;
+}
+
+/// The first switch of elastic cables along `motion`, which starts at `state`, before `until` [s]
+/// (E4), with all that are at that instant as far as numbers can tell.
 template <class Real, int D, class Motion>
 [[nodiscard]] std::optional<FirstSwitch<Real>> first_switch(const BasicSystem<Real, D>& system,
                                                             const BasicSystemState<Real, D>& state,
-                                                            const Motion& motion, CableSet at_zero,
+                                                            const Motion& motion,
+                                                            const ElasticZeros& zeros,
                                                             const Real& until) {
   std::optional<FirstSwitch<Real>> result;
-  std::vector<Real> turned;
-  const auto look = [&](std::size_t index, std::span<const Real> f, bool is_turned,
-                        std::size_t zeros, bool engages) {
-    if (is_turned) {
-      turned.assign(f.begin(), f.end());
-      for (Real& coefficient : turned) {
-        coefficient = -coefficient;
+  const auto each = [&](const auto& look) {
+    for (std::size_t index = 0; index < system.cables.size(); ++index) {
+      if (system.cables[index].elasticity) {
+        each_searched(system, state, motion, zeros, index, look);
       }
     }
-    const Real& horizon = result ? result->dt : until;
-    const auto search = first_root_if_any(
-        Polynomial<Real>(is_turned ? std::span<const Real>(turned) : f, zeros), horizon);
-    if (search.root && !(*search.root >= horizon)) {
-      const CableSet one = CableSet::of(index);
-      result = {*search.root, engages ? ElasticSwitches{one, {}} : ElasticSwitches{{}, one}};
-    }
   };
-  for (std::size_t index = 0; index < system.cables.size(); ++index) {
-    if (!system.cables[index].elasticity) {
-      continue;
-    }
-    const std::size_t zeros = at_zero.contains(index) ? 1 : 0;
-    if (state.elastic.engaged.contains(index)) {
-      look(index, motion.tension(index), false, zeros, false);
-    } else if (state.elastic.loose.contains(index)) {
-      look(index, motion.tension(index), true, zeros, true);
-      look(index, motion.gap(index), true, 0, false);
-    } else {
-      look(index, motion.gap(index), false, zeros, true);
-    }
+  each([&](const Searched<Real>& one) {
     if (result && isnan(result->dt)) {
-      return result;
+      return;
     }
-  }
-  return result;
-}
-
-/// Those of `switches` whose gap or tension is exactly zero afterwards: all but that of a cable
-/// that engages from slack and is damped.
-template <class Real, int D>
-[[nodiscard]] CableSet at_zero_after(const ElasticSwitches& switches,
-                                     const BasicSystemState<Real, D>& before,
-                                     const BasicSystemState<Real, D>& after) {
-  CableSet result = switches.letting_go;
-  for (const std::size_t index : switches.engaging) {
-    if (is_stretched(before, index) || after.elastic.damping[index] == 0) {
-      result.insert(index);
+    const Real& horizon = result ? result->dt : until;
+    const auto search = first_root_if_any(one.f, horizon);
+    if (search.root && !(*search.root >= horizon)) {
+      result = {*search.root, {}};
+      result->switches.*one.becomes = CableSet::of(one.index);
     }
+  });
+  if (result && result->dt > 0) {
+    each([&](const Searched<Real>& one) {
+      ElasticSwitches& found = result->switches;
+      if (!found.all().contains(one.index) && is_zero_at(system, state, one, result->dt)) {
+        (found.*one.becomes).insert(one.index);
+      }
+    });
   }
   return result;
 }

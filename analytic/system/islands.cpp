@@ -99,17 +99,22 @@ void BasicSystemMotion<Real, D>::put(const Part& part, const BasicSystemState<Re
   if (of_part.elastic.damping.empty()) {
     return;
   }
-  auto& [engaged, loose, damping] = whole.elastic;
+  auto& [engaged, loose, resisting, damping, past] = whole.elastic;
   damping.resize(system_.cables.size(), Real(0));
+  past.resize(system_.cables.size(), 0);
   for (std::size_t i = 0; i < part.island.cables.size(); ++i) {
     const std::size_t index = part.island.cables[i];
     damping[index] = of_part.elastic.damping[i];
+    past[index] = of_part.elastic.corners_past(i);
     engaged.erase(index);
     loose.erase(index);
+    resisting.erase(index);
     if (of_part.elastic.engaged.contains(i)) {
       engaged.insert(index);
     } else if (of_part.elastic.loose.contains(i)) {
       loose.insert(index);
+    } else if (of_part.elastic.resisting.contains(i)) {
+      resisting.insert(index);
     }
   }
 }

@@ -16,14 +16,10 @@ void add_arc(const BasicSystem<Real, D>& system, const BasicArc<BasicSystem<Real
   }
   const Real dt = arc.end - arc.start;
   ledger.work += motion->work(dt);
-  for (const std::size_t index : arc.initial.elastic.engaged) {
-    ledger.dissipated += motion->dissipated(index, dt);
-  }
-  for (const std::size_t index : arc.initial.elastic.loose) {
-    const auto& law = *system.cables[index].elasticity;
-    const Polynomial<Real> gap(motion->gap(index));
-    ledger.dissipated += spring_energy(law, Real(-gap.at(Real(0)).value)) -
-                         spring_energy(law, Real(-gap.at(dt).value));
+  for (const CableSet cables : {arc.initial.elastic.pulling(), arc.initial.elastic.loose}) {
+    for (const std::size_t index : cables) {
+      ledger.dissipated += motion->dissipated(index, dt);
+    }
   }
 }
 
@@ -34,7 +30,8 @@ void add_hooks_and_cuts(const BasicSystem<Real, D>& system,
                         BasicSystemLedger<Real>& ledger) {
   const auto stored = [&](BasicCableOfSystem<Real, D> cable, const Real& time) {
     cable.cut_at.reset();
-    return spring_energy(*cable.elasticity, Real(-gap(cable, solution.at(time))));
+    const auto state = solution.at(time);
+    return spring_energy(*cable.elasticity, Real(-gap(cable, state)), length_at(cable, state));
   };
   for (const auto& cable : system.cables) {
     if (cable.elasticity && cable.from_time && *cable.from_time <= solution.end_time()) {

@@ -204,13 +204,15 @@ class SystemChecker {
 
   void check_elasticity(std::size_t index, const CableOfSystem& cable) {
     const Elasticity& law = *cable.elasticity;
+    const char* const key = stiffness_key(law);
     if (law.stiffness.empty()) {
-      wrong_.add(cable_name(index) +
-                 ": stiffness is empty; must have at least one coefficient [N/m]");
+      wrong_.add(cable_name(index) + ": " + key + " is empty; must have at least one coefficient " +
+                 stiffness_unit(law));
     } else {
-      wrong_.divisor({"stiffness", index}, law.stiffness.front(), "[N/m]");
-      wrong_.finite({"stiffness", index}, std::span(law.stiffness).subspan(1));
+      wrong_.divisor({key, index}, law.stiffness.front(), stiffness_unit(law));
+      wrong_.finite({key, index}, std::span(law.stiffness).subspan(1));
     }
+    check_corners(index, law);
     wrong_.zero_or_above({"damping", index}, law.damping, "[N s/m]");
     wrong_.zero_or_above({"damping_ratio", index}, law.damping_ratio, "[-]");
     if (law.damping > 0.0 && law.damping_ratio > 0.0) {
@@ -224,6 +226,33 @@ class SystemChecker {
     }
   }
 
+  /// By which a file says how stiff a cable is, and in which unit.
+  static const char* stiffness_key(const Elasticity& law) {
+    return law.of_strain ? "EA" : "stiffness";
+  }
+  static const char* stiffness_unit(const Elasticity& law) {
+    return law.of_strain ? "[N]" : "[N/m]";
+  }
+
+  /// The force rises from corner to corner.
+  void check_corners(std::size_t index, const Elasticity& law) {
+    if (!law.corners.empty() && law.stiffness.size() > 1) {
+      wrong_.add(cable_name(index) + ": corners go on from one " + stiffness_key(law) + ", and " +
+                 std::to_string(law.stiffness.size()) + " coefficients are given; must be one");
+    }
+    const char* const unit = law.of_strain ? "[-]" : "[m]";
+    for (std::size_t i = 0; i < law.corners.size(); ++i) {
+      const std::string owner = cable_name(index) + ": corners[" + std::to_string(i) + "]: ";
+      wrong_.divisor({"stretch", {}, {}, owner}, law.corners[i].stretch, unit);
+      wrong_.divisor({stiffness_key(law), {}, {}, owner}, law.corners[i].stiffness,
+                     stiffness_unit(law));
+      if (i > 0 && !(law.corners[i].stretch > law.corners[i - 1].stretch)) {
+        wrong_.rising({"stretch ", {}, {}, owner}, law.corners[i].stretch,
+                      law.corners[i - 1].stretch, unit);
+      }
+    }
+  }
+
   /// The frequency of an elastic cable says how many steps its motion takes.
   void check_frequency(std::size_t index, const CableOfSystem& cable) {
     CableOfSystem acting = cable;
@@ -232,9 +261,15 @@ class SystemChecker {
     const Elasticity& law = *cable.elasticity;
     const RowOf<System> row = gap_gradient(acting, system_.initial);
     const double response = row.dot(row.cwiseProduct(inverse_mass(system_.bodies)));
-    const double frequency = std::sqrt(law.stiffness.front() * response);
-    const double ratio =
-        law.damping_ratio > 0.0 ? law.damping_ratio : law.damping * response / (2.0 * frequency);
+    const double first = law.stiffness.front();
+    double stiffest = first;
+    for (const Corner& corner : law.corners) {
+      stiffest = std::max(stiffest, corner.stiffness);
+    }
+    const double base = base_of(law, cable.length.at(0.0)[0]);
+    const double frequency = std::sqrt(stiffest / base * response);
+    const double ratio = law.damping_ratio > 0.0 ? law.damping_ratio * std::sqrt(first / stiffest)
+                                                 : law.damping * response / (2.0 * frequency);
     const double above = std::max(1.0, ratio);  // from where on the damper is the faster of both
     const double fastest = frequency * (above + std::sqrt(above * above - 1.0));
     const double most = most_radians / system_.duration;
@@ -248,9 +283,9 @@ class SystemChecker {
       wrong_.add(cable_name(index) + ": its frequency, " + text(fastest) +
                  " rad/s, must be at most " + text(most) + " rad/s for a duration of " +
                  text(system_.duration) + " s: make it inextensible with restitution " +
-                 text(restitution_of(ratio)) +
-                 ", which its contacts have, or lower its stiffness to " +
-                 text(law.stiffness.front() * share * share) + " N/m");
+                 text(restitution_of(ratio)) + ", which its contacts have, or lower its " +
+                 stiffness_key(law) + " to " + text(stiffest * share * share) +
+                 (law.of_strain ? " N" : " N/m"));
     }
   }
 
@@ -264,6 +299,7 @@ class SystemChecker {
           Function<1>::Value(static_cast<double>(i + 1) * law.stiffness[i]));
     }
     const double length = cable.length.at(0.0)[0];
+    const double base = base_of(law, length);
     double weight = 0.0;  // [N]
     for (const auto& body : system_.bodies) {
       weight += body.mass * system_.gravity.at(0.0).norm() + body.force.at(0.0).norm();
@@ -274,13 +310,14 @@ class SystemChecker {
     constexpr double longest = 1e9;
     for (double reach = shortest; reach < longest; reach *= 2.0) {
       const double stretch = reach * length;
-      if (const auto found = not_above_zero(slope, 0.0, stretch)) {
-        wrong_.add(cable_name(index) + ": its force falls at a stretch of " + text(found->time) +
-                   " m, which the start and a fall through two lengths may reach; stiffness must "
-                   "give a force that rises");
+      if (const auto found = not_above_zero(slope, 0.0, stretch / base)) {
+        wrong_.add(cable_name(index) + ": its force falls at a stretch of " +
+                   text(found->time * base) +
+                   " m, which the start and a fall through two lengths may reach; " +
+                   stiffness_key(law) + " must give a force that rises");
         return;
       }
-      if (spring_energy(law, stretch) > energy + 2.0 * weight * (length + stretch)) {
+      if (spring_energy(law, stretch, length) > energy + 2.0 * weight * (length + stretch)) {
         return;
       }
     }

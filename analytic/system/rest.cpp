@@ -56,8 +56,9 @@ bool is_unstable(const BasicSystem<Real, D>& system, const BasicSystemState<Real
   for (const std::size_t index : state.elastic.engaged) {
     const auto& cable = system.cables[index];
     const RowOf<TheCase> row = gap_gradient(cable, state);
-    bending +=
-        spring_stiffness(*cable.elasticity, Real(-gap(cable, state))) * row * row.transpose();
+    const Real stretch = -gap(cable, state);
+    bending += spring_stiffness(*cable.elasticity, stretch, length_at(cable, state)) * row *
+               row.transpose();
     bending -= held.motion.tension(index)[0] * gap_curvature(cable, state);
   }
   const CableRows<TheCase> rows(system, state, held.pulling);

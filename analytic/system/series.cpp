@@ -19,7 +19,7 @@ SystemSeries<Real, D>::SystemSeries(const TheCase& system, const BasicSystemStat
       order_(order),
       bodies_(system.bodies.size()),
       cables_(system.cables.size()),
-      pulled_(!taut.empty() || !start.elastic.engaged.empty()),
+      pulled_(!(taut | start.elastic.pulling()).empty()),
       weight_(root_of_inverse_mass(system.bodies)),
       length_scale_(shortest_length(system, start)) {
   if (!isfinite(length_scale_)) {
@@ -40,7 +40,7 @@ SystemSeries<Real, D>::SystemSeries(const TheCase& system, const BasicSystemStat
     }
   }
   for (std::size_t index = 0; index < cables_.size(); ++index) {
-    if ((taut_ | start.elastic.stretched()).contains(index)) {
+    if ((taut_ | start.elastic.stretched() | start.elastic.resisting).contains(index)) {
       continue;
     }
     if (cables_[index].acts) {
@@ -511,6 +511,13 @@ Real SystemSeries<Real, D>::reach(const Real& error) const {
   for (const CableSeries& cable : cables_) {
     for (const SegmentSeries& segment : cable.segments) {
       least = cable.straight || !cable.acts ? least : apart_for(segment, least);
+    }
+  }
+  for (const StretchSeries& one : stretched_) {
+    if (one.slack) {  // the ends of a stretched one are far apart
+      for (const SegmentSeries& segment : cables_[one.index].segments) {
+        least = apart_for(segment, least);
+      }
     }
   }
   return least;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "system/elastic.hpp"
 #include "system/rows.hpp"
 #include "system/turning_series.hpp"
 #include "tautline/solution.hpp"
@@ -47,7 +48,7 @@ class SystemSeries {
 
   /// Coefficients 0 to order of (length^2 - distance^2) / (2 length at the start) [m] of a slack
   /// cable, or, where it runs through rings, of its gap: both fall through zero together. Of a
-  /// stretched cable, of its gap.
+  /// stretched cable, or one that resists, of its gap.
   [[nodiscard]] std::span<const Real> gap(std::size_t index) const { return cables_[index].gap; }
 
   /// Coefficients 0 to order - 2 of the tension [N] of a taut cable, or of what (E1) gives a
@@ -55,6 +56,9 @@ class SystemSeries {
   [[nodiscard]] std::span<const Real> tension(std::size_t index) const {
     return cables_[index].tension;
   }
+
+  /// Coefficients 0 to order of how far [m] a stretched cable is beyond a corner of its law.
+  [[nodiscard]] std::vector<Real> beyond(std::size_t index, const Real& corner) const;
 
   /// True while every coefficient is finite.
   [[nodiscard]] bool fits() const;
@@ -64,10 +68,12 @@ class SystemSeries {
   [[nodiscard]] Real reach(const Real& error) const;
 
   /// The work [J] up to `dt` [s] of all that acts but for impacts: gravity, forces, moments, drag,
-  /// and the moving ends and lengths of taut and engaged cables (T9).
+  /// and the moving ends and lengths of taut and engaged cables (T9), with what the lengths do to
+  /// laws of strain.
   [[nodiscard]] Real work(const Real& dt) const;
 
-  /// The energy [J] up to `dt` [s] that an engaged elastic cable loses in its damper.
+  /// The energy [J] up to `dt` [s] that a stretched elastic cable loses: in its damper while it is
+  /// engaged, all that it stores while it is loose.
   [[nodiscard]] Real dissipated(std::size_t index, const Real& dt) const;
 
  private:
@@ -96,13 +102,16 @@ class SystemSeries {
     bool steady;      // its length is constant
     bool straight;    // no rings
   };
-  struct StretchSeries {  // of a stretched elastic cable
+  struct StretchSeries {  // of an elastic cable that is stretched or resists
     std::size_t index;
     bool pulls;
+    bool slack;  // it has its damper alone
     const BasicElasticity<Real>* law;
     Real damping;                           // [N s/m]
     Real response;                          // [1/kg], to an impulse of its own
-    std::vector<std::vector<Real>> powers;  // of the stretch: its square, its cube, ... (E3)
+    ForcePiece<Real> piece;                 // of its law
+    std::vector<std::vector<Real>> powers;  // of what that takes: its square, its cube, ... (E3)
+    std::vector<Real> parts;  // of the gap in the length, where it takes those; else empty
   };
   struct Kept {  // what the cables do to keep their lengths, at the order that is computed
     RowOf<TheCase> sum;
@@ -121,6 +130,8 @@ class SystemSeries {
   void find_stretched(const BasicSystemState<Real, D>& start);
   void stretch(std::size_t index, std::size_t k);
   void strain(StretchSeries& one, std::size_t k);
+  [[nodiscard]] const Real* taken(const StretchSeries& one) const;
+  void add_power(const StretchSeries& one, std::vector<Real>& result) const;
   void pull(const StretchSeries& one, std::size_t k);
   void expand_stretched(StretchSeries& one);
   [[nodiscard]] Real opening(std::size_t index, std::size_t k);

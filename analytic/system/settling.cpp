@@ -12,6 +12,14 @@
 namespace tautline {
 namespace {
 
+/// Keeps `value` where it is the largest so far, the first of those that are equal to rounding.
+template <class Real>
+void keep_largest(std::optional<BasicPeak<Real>>& most, const Real& value, const Real& time) {
+  if (!most || value > most->value * (1 + same_tension)) {
+    most = {value, time};
+  }
+}
+
 /// The share of cable `index` in the run.
 template <class Real, int D>
 BasicCableUse<Real> use_of(const BasicSolution<BasicSystem<Real, D>>& solution, std::size_t index) {
@@ -38,9 +46,8 @@ BasicCableUse<Real> use_of(const BasicSolution<BasicSystem<Real, D>>& solution, 
     for (const std::size_t other : event.cables) {
       row += other < index ? 1 : 0;
     }
-    const Real& impulse = event.impulses[row];
-    if (impulse > 0 && (!result.impulse || impulse > result.impulse->value * (1 + same_tension))) {
-      result.impulse = {impulse, event.time};
+    if (event.impulses[row] > 0) {
+      keep_largest(result.impulse, event.impulses[row], event.time);
     }
   }
   return result;
@@ -51,16 +58,11 @@ template <class Real>
 BasicCableUse<Real> elastic_use(const std::vector<BasicElasticContact<Real>>& contacts,
                                 std::size_t index, const Real& duration) {
   BasicCableUse<Real> result;
-  const auto add = [](auto& most, const Real& value, const Real& time) {
-    if (!most || value > most->value * (1 + same_tension)) {
-      most = {value, time};
-    }
-  };
   for (const auto& contact : contacts) {
     if (contact.cable == index) {
       result.taut_share += (contact.exit.value_or(duration) - contact.entry) / duration;
-      add(result.tension, contact.peak, contact.peak_time);
-      add(result.impulse, contact.impulse, contact.entry);
+      keep_largest(result.tension, contact.peak, contact.peak_time);
+      keep_largest(result.impulse, contact.impulse, contact.entry);
     }
   }
   return result;
@@ -92,6 +94,7 @@ BasicSystem<Real, D> calmed(BasicSystem<Real, D> system, const BasicSystemState<
   }
   system.initial = standing_still(state);
   system.initial.time = Real(0);
+  system.initial.elastic = {};  // found again
   return system;
 }
 
@@ -107,7 +110,8 @@ std::optional<Real> least_energy(const BasicSystem<Real, D>& system,
     return std::nullopt;
   }
   const Real rate = sqrt(Real(acceleration / shortest));
-  BasicSystem<Real, D> calm = calmed(system, projected(system, still, cables), rate);
+  const CableSet held = cables - state.elastic.stretched();
+  BasicSystem<Real, D> calm = calmed(system, projected(system, still, held), rate);
   constexpr double times = 300.0;  // of the scale of time: soft motions are slower
   calm.duration = times / rate;
   SolveOptions limited;
@@ -127,10 +131,104 @@ std::optional<Real> least_energy(const BasicSystem<Real, D>& system,
   for (std::size_t i = 0; i < system.cables.size(); ++i) {
     taut += system.cables[i].acts_at(state.time) && cables.contains(i) ? 1U : 0U;
   }
-  if (!whole || left > enough * scale || solution.arcs().back().taut.size() != taut) {
+  const auto& last = solution.arcs().back();
+  if (!whole || left > enough * scale ||
+      (last.taut | last.initial.elastic.engaged).size() != taut) {
     return std::nullopt;
   }
   return energy(calm, end);
+}
+
+/// Energies of the only body of a system, on an engaged elastic cable.
+template <class Real>
+struct HangingEnergy {
+  Real equilibrium;  // [J], at rest on this cable alone
+  Real letting_go;   // [J], at least, where the cable lets go (E11)
+};
+/// None where the cable is bent or moved, or its force is not linear.
+template <class Real, int D>
+std::optional<HangingEnergy<Real>> hanging_energy(const BasicSystem<Real, D>& system,
+                                                  const BasicSystemState<Real, D>& state,
+                                                  std::size_t index) {
+  const auto& cable = system.cables[index];
+  const auto& law = *cable.elasticity;
+  const BasicEnd<Real, D>& anchor = cable.from.body ? cable.to : cable.from;
+  const BasicEnd<Real, D>& attachment = cable.from.body ? cable.from : cable.to;
+  const auto& body = system.bodies[0];
+  if (system.bodies.size() != 1 || !cable.through.empty() || law.stiffness.size() != 1 ||
+      !law.corners.empty() || !body.moment.empty()) {
+    return std::nullopt;
+  }
+  const BasicVector<Real, D> load =
+      body.mass * system.gravity.at(state.time) + body.force.at(state.time);
+  const BasicVector<Real, D> place = anchor.at + anchor.motion.at(state.time);
+  const Real arm = attachment.at.norm();
+  const Real weight = load.norm();
+  const Real length = length_at(cable, state);
+  const Real stiffness = spring_stiffness(law, Real(0), length);
+  const Real damping = state.elastic.damping[index];
+  // of no pose is it larger
+  const Real response =
+      1 / body.mass + (has_inertia(body.inertia) ? Real(arm * arm / least_moment(body)) : Real(0));
+  const Real unstretched = -load.dot(place) - weight * (length + arm);
+  const Real stretched = weight * weight / (2 * stiffness);
+  const Real square = damping * damping * response / stiffness;  // 4 ratio^2
+  const Real share = law.cut == ElasticCut::force ? Real(square / (1 + square)) : Real(0);
+  return HangingEnergy<Real>{unstretched - stretched, unstretched - share * stretched};
+}
+
+/// True where cable `index` does not let go any more.
+template <class Real, int D>
+bool is_certain(const BasicSystem<Real, D>& system, const BasicSystemState<Real, D>& end,
+                std::size_t index) {
+  const auto hanging = hanging_energy(system, end, index);
+  const Real rounding = few_roundings * rounding_of_energy(system, end);
+  return hanging && energy(system, end) + rounding < hanging->letting_go;
+}
+
+/// How the stretch of an engaged elastic cable rings.
+template <class Real>
+struct Ringing {
+  Real frequency;  // [rad/s], without damping
+  Real decay;      // [1/s], of the slower part; 0 without damping
+};
+template <class Real, int D>
+Ringing<Real> ringing(const BasicSystem<Real, D>& system, const BasicSystemState<Real, D>& state,
+                      std::size_t index) {
+  const auto& cable = system.cables[index];
+  const Real response = delassus(system, state, index);
+  const Real square = response * spring_stiffness(*cable.elasticity, Real(-gap(cable, state)),
+                                                  length_at(cable, state));
+  const Real half = state.elastic.damping[index] * response / 2;
+  const Real over = half * half - square;
+  return {sqrt(square), over > 0 ? Real(square / (half + sqrt(over))) : half};
+}
+
+/// The elastic cables that stay engaged after the end: as is certain, or as it seems, since they
+/// are damped and have been engaged for a whole period.
+template <class Real, int D>
+CableSet staying_engaged(const BasicSystem<Real, D>& system,
+                         const BasicSolution<BasicSystem<Real, D>>& solution,
+                         const BasicSystemState<Real, D>& end) {
+  if (solution.ending() == Ending::rest) {
+    return end.elastic.engaged;
+  }
+  CableSet result;
+  for (const std::size_t index : end.elastic.engaged) {
+    Real since(0);
+    for (const auto& event : solution.events()) {
+      if (event.kind == EventKind::entry && event.cables.contains(index)) {
+        since = event.time;
+      }
+    }
+    const Ringing<Real> rings = ringing(system, end, index);
+    const Real period = 4 * acos(Real(0)) / rings.frequency;
+    const bool seems = rings.decay > 0 && end.time - since > period;
+    if (seems || is_certain(system, end, index)) {
+      result.insert(index);
+    }
+  }
+  return result;
 }
 
 /// When the energy above `least` is a hundredth of what it is at `from` [s]; none if it never is.
@@ -164,14 +262,19 @@ std::optional<BasicSystemLock<Real>> lock_of(const BasicSystem<Real, D>& system,
                                              const BasicSolution<BasicSystem<Real, D>>& solution) {
   const bool whole =
       solution.ending() == Ending::reached_duration || solution.ending() == Ending::rest;
-  const CableSet taut = solution.arcs().back().taut;
+  const auto end = solution.at(solution.end_time());
+  const CableSet held = solution.arcs().back().taut;
+  const CableSet engaged = staying_engaged(system, solution, end);
+  const CableSet taut = held | engaged;
   if (!whole || taut.empty()) {
     return std::nullopt;
   }
-  BasicSystemLock<Real> lock{Real(0), Real(0), taut, solution.ending() == Ending::rest, {}, {}};
+  const bool rests = solution.ending() == Ending::rest;
+  BasicSystemLock<Real> lock{Real(0), Real(0), taut, rests, rests, {}, {}, {}};
   // the last event at which this set began to be all that is taut
   for (auto event = solution.events().rbegin(); event != solution.events().rend(); ++event) {
-    if (event->kind == EventKind::taut || event->kind == EventKind::slack) {
+    const bool of_elastic = event->kind == EventKind::entry || event->kind == EventKind::exit;
+    if (of_elastic ? !(event->cables & engaged).empty() : event->kind != EventKind::impact) {
       lock.time = event->time;
       break;
     }
@@ -190,18 +293,27 @@ std::optional<BasicSystemLock<Real>> lock_of(const BasicSystem<Real, D>& system,
       return std::nullopt;
     }
   }
-  const auto end = solution.at(solution.end_time());
   const bool drags = std::any_of(system.bodies.begin(), system.bodies.end(), [](const auto& body) {
     return body.drag > 0 || body.spin_drag > 0;
   });
-  if (lock.certain) {
-    lock.residual_energy = Real(0);
+  bool is_low = held.empty();  // the energy
+  for (const std::size_t index : engaged) {
+    is_low = is_low && is_certain(system, end, index);
+    if (const Ringing<Real> rings = ringing(system, end, index); rings.decay > 0) {
+      lock.ring_down = max(lock.ring_down.value_or(Real(0)), Real(1 / rings.decay));
+    }
   }
-  const auto least =
-      lock.certain ? std::optional<Real>(energy(system, end)) : least_energy(system, end, taut);
+  const Real now = energy(system, end);
+  const auto hangs = held.empty() && engaged.size() == 1 && system.cables.size() == 1
+                         ? hanging_energy(system, end, 0)
+                         : std::nullopt;
+  const auto least = rests   ? std::optional<Real>(now)
+                     : hangs ? std::optional<Real>(hangs->equilibrium)
+                             : least_energy(system, end, taut);
+  lock.certain = rests || is_low;
   if (least) {
-    lock.residual_energy = max(Real(0), Real(energy(system, end) - *least));
-    if (drags) {
+    lock.residual_energy = max(Real(0), Real(now - *least));
+    if (drags || lock.ring_down) {
       lock.one_percent = when_one_percent(system, solution, lock.time, *least);
     }
   }

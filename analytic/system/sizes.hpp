@@ -196,11 +196,12 @@ template <class Real, int D>
 [[nodiscard]] Real rounding_of_pulls(const BasicSystem<Real, D>& system,
                                      const BasicSystemState<Real, D>& state) {
   Real result(0);
-  for (const std::size_t index : state.elastic.engaged) {
+  for (const std::size_t index : state.elastic.pulling()) {
     const auto& cable = system.cables[index];
     const Real stretch = -gap(cable, state);
     const Real force =
-        abs(spring_stiffness(*cable.elasticity, stretch)) * rounding_of_gap(cable, state) +
+        abs(spring_stiffness(*cable.elasticity, stretch, length_at(cable, state))) *
+            rounding_of_gap(cable, state) +
         state.elastic.damping[index] * rounding_of_rate(cable, state) +
         abs(elastic_tension(system, index, state)) * rounding_of_direction(cable, state);
     result += force * sqrt(Real(delassus(system, state, index) * largest_response(system, state)));
@@ -243,8 +244,9 @@ template <class Real, int D>
   }
   for (const std::size_t index : state.elastic.stretched()) {
     const auto& cable = system.cables[index];
-    result +=
-        abs(spring_force(*cable.elasticity, Real(-gap(cable, state)))) * gap_operand(cable, state);
+    const Real force =
+        spring_force(*cable.elasticity, Real(-gap(cable, state)), length_at(cable, state));
+    result += abs(force) * gap_operand(cable, state);
   }
   return epsilon<Real>() * result;
 }
@@ -297,14 +299,14 @@ template <class Real, int D>
     const Real response = delassus(system, state, index);
     const Real stretch = max(Real(0), Real(-gap(cable, state)));
     const Real damping = damping_of(system, index, state);
+    const Real length = length_at(cable, state);
+    const Real stiffness = abs(spring_stiffness(*cable.elasticity, stretch, length));
     result.frequency =
-        max(result.frequency,
-            Real(sqrt(Real(abs(spring_stiffness(*cable.elasticity, stretch)) * response)) +
-                 damping * response));
-    if (is_stretched(state, index)) {
-      result.acceleration +=
-          tension_size(*cable.elasticity, damping, response, stretch, gap_rate(cable, state)) *
-          sqrt(Real(response * largest_response(system, state)));
+        max(result.frequency, Real(sqrt(Real(stiffness * response)) + damping * response));
+    if ((state.elastic.stretched() | state.elastic.resisting).contains(index)) {
+      result.acceleration += tension_size(*cable.elasticity, length, damping, response, stretch,
+                                          gap_rate(cable, state)) *
+                             sqrt(Real(response * largest_response(system, state)));
     }
   }
   return result;
@@ -413,8 +415,9 @@ template <class Real, int D>
     const Real closing = max(Real(0), Real(-gap_rate(cable, state))) + scale.margin * drift;
     const Real response =
         sqrt(Real(delassus(system, state, index) * largest_response(system, state)));
-    const Real force = damping_of(system, index, state) * closing +
-                       cable.elasticity->stiffness[0] * closing * remaining;
+    const Real force =
+        damping_of(system, index, state) * closing +
+        spring_force(*cable.elasticity, Real(closing * remaining), length_at(cable, state));
     if (gap(cable, state) <= closing * remaining && force * response > scale.rate * drift) {
       return true;
     }
@@ -426,7 +429,7 @@ template <class Real, int D>
 template <class Real, int D>
 struct SystemTouching {
   CableSet cables;               // that touch at this instant
-  CableSet at_zero;              // elastic cables whose gap or tension, if loose, is exactly zero
+  ElasticZeros at_zero;          // of elastic cables
   ElasticSwitches switches;      // of elastic cables, at the next stop
   Real rate_rounding = Real(0);  // [m/s], a closing rate up to this is rounding of zero,
   Real spin_rounding = Real(0);  // [rad/s], and one up to this times the arm more

@@ -78,24 +78,31 @@ Real SystemSeries<Real, D>::work(const Real& dt) const {
     if (one.pulls) {
       add_power(cables_[one.index], power);
     }
+    add_power(one, power);
   }
   return series::integral<Real>(power, dt);
 }
 
 template <class Real, int D>
 Real SystemSeries<Real, D>::dissipated(std::size_t index, const Real& dt) const {
+  const auto one = std::find_if(stretched_.begin(), stretched_.end(),
+                                [&](const StretchSeries& each) { return each.index == index; });
+  const CableSeries& cable = cables_[index];
   std::vector<Real> power;
-  for (const StretchSeries& one : stretched_) {
-    if (one.index == index && one.pulls) {
-      const auto rate =
-          rate_of<Real>(order_ + 1, [&](std::size_t k) { return cables_[index].gap[k]; });
-      add_product(
-          power,
-          polynomial<Real>(rate.size(), [&](std::size_t k) { return Real(one.damping * rate[k]); }),
-          rate);
-    }
+  if (one->pulls) {
+    const auto rate = rate_of<Real>(order_ + 1, [&](std::size_t k) { return cable.gap[k]; });
+    add_product(
+        power,
+        polynomial<Real>(rate.size(), [&](std::size_t k) { return Real(one->damping * rate[k]); }),
+        rate);
+    return series::integral<Real>(power, dt);
   }
-  return series::integral<Real>(power, dt);
+  const auto stored = [&](const Real& time) {
+    return spring_energy(*one->law, Real(-Polynomial<Real>(cable.gap).at(time).value),
+                         Polynomial<Real>(cable.length).at(time).value);
+  };
+  add_power(*one, power);
+  return stored(Real(0)) - stored(dt) + series::integral<Real>(power, dt);
 }
 
 template Instance SystemSeries<Instance, instance_dimension>::work(const Instance&) const;

@@ -42,9 +42,11 @@ struct Form {
   std::string key = {};      // "" for an entry of an array and for the file itself
   std::string meaning = {};  // with the unit
   bool required = false;
-  std::string with = {};                 // the key without which this one is unknown, or ""
-  std::string needs = {};                // the key without which this one is refused, or ""
-  std::string_view unless = {};          // the key with which this one may be missing, or ""
+  std::string with = {};  // the key without which this one is unknown, or ""
+  // keys with a space between: without one of these this one is refused, and with one of those it
+  // may be missing
+  std::string_view needs = {};
+  std::string_view unless = {};
   bool not_empty = false;                // a text is not ""
   std::vector<std::string> words = {};   // the only texts, or none: any text
   Range range = any_number;              // for a number, and for those of `instead`

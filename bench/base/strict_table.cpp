@@ -407,18 +407,18 @@ void StrictTable::refuse_unknown_keys(const toml::table& table) {
   }
 }
 
-void StrictTable::needs(std::string_view key, std::string_view other) {
+void StrictTable::needs(std::string_view key, std::string_view others) {
   if (form_ != nullptr) {
     for (Form& form : form_->inside) {
-      form.needs = form.key == key ? other : form.needs;
+      form.needs = form.key == key ? others : form.needs;
     }
   }
 }
 
-void StrictTable::required_unless(std::string_view key, std::string_view other) {
+void StrictTable::required_unless(std::string_view key, std::string_view others) {
   if (form_ != nullptr) {
     for (Form& form : form_->inside) {
-      form.unless = form.key == key ? other : form.unless;
+      form.unless = form.key == key ? others : form.unless;
     }
   }
 }

@@ -102,11 +102,12 @@ class StrictTable {
     with_ = "";
   }
 
-  /// Notes that `key`, which has been asked for, is refused without `other`.
-  void needs(std::string_view key, std::string_view other);
+  /// Notes that `key`, which has been asked for, is refused without one of `others`: keys with a
+  /// space between, a constant.
+  void needs(std::string_view key, std::string_view others);
 
-  /// Notes that `key`, which has been asked for, may be missing where `other` is there.
-  void required_unless(std::string_view key, std::string_view other);
+  /// Notes that `key`, which has been asked for, may be missing where one of `others` is there.
+  void required_unless(std::string_view key, std::string_view others);
 
   /// How many of `keys` the table has. It must have one of them: the caller refuses another number.
   [[nodiscard]] std::size_t count(const std::vector<std::string>& keys);

@@ -221,7 +221,7 @@ std::pair<typename TheCase::Cable, bool> read_cable(StrictTable& table, const Th
   }
   bool taut = false;
   if constexpr (is_system) {
-    table.required_unless("restitution", "stiffness");
+    table.required_unless("restitution", "stiffness EA");
     cable.from_time = table.optional_number(
         {"from_time", "the cable is hooked up then; default: from the start"}, above_zero, "[s]");
     cable.cut_at = table.optional_number({"cut_at", "the cable is cut then; default: never"},
@@ -468,7 +468,8 @@ std::optional<SystemKey> system_key(const toml::table& file) {
   for (std::size_t index = 0; cables != nullptr && index < cables->size(); ++index) {
     const toml::node* cable = cables->get(index);
     const std::string name = "cables[" + std::to_string(index) + "].";
-    for (const char* const key : {"from", "through", "to", "from_time", "cut_at", "stiffness"}) {
+    for (const char* const key :
+         {"from", "through", "to", "from_time", "cut_at", "stiffness", "EA"}) {
       if (const toml::node* found = node_inside(cable, key)) {
         return key_of(*found, name + key);
       }

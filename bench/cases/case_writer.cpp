@@ -7,6 +7,7 @@
 #include "bench/base/text.hpp"
 #include "bench/base/value.hpp"
 #include "bench/cases/case_tables.hpp"
+#include "bench/cases/elasticity_table.hpp"
 #include "tautline/case_text.hpp"
 
 namespace tautline::bench {
@@ -32,6 +33,9 @@ std::string value_of(const Eigen::Matrix<double, N, 1>& value) {
 std::string value_of(double value) { return number(value); }
 std::string value_of(const RestitutionPoint& point) {
   return value_of(Vec2(point.speed, point.restitution));
+}
+std::string value_of(const Corner& corner) {
+  return value_of(Vec2(corner.stretch, corner.stiffness));
 }
 std::string value_of(const std::string& text) { return text; }
 
@@ -140,13 +144,19 @@ void add_restitution(const TheCable& cable, Members& members) {
 }
 
 void add_elasticity(const Elasticity& law, Members& members) {
-  members.add("stiffness",
+  members.add(law.of_strain ? "EA" : "stiffness",
               law.stiffness.size() == 1 ? number(law.stiffness[0]) : list(law.stiffness));
+  if (!law.corners.empty()) {
+    members.add("corners", list(law.corners));
+  }
   if (law.damping != 0.0) {  // exactly: the default
     members.add("damping", number(law.damping));
   }
   if (law.damping_ratio != 0.0) {
     members.add("damping_ratio", number(law.damping_ratio));
+  }
+  if (law.cut != ElasticCut::force) {
+    members.add("cut", toml_string(cut_words[static_cast<std::size_t>(law.cut)]));
   }
 }
 

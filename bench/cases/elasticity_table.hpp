@@ -1,7 +1,10 @@
 #pragma once
 
+#include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "bench/base/strict_table.hpp"
 #include "tautline/elasticity.hpp"
@@ -40,29 +43,73 @@ inline void read_damping(StrictTable& table, Elasticity& law) {
           .value_or(0.0);
 }
 
+/// Reads the force of its spring over the stretch, or over the strain.
+inline void read_force(StrictTable& table, Elasticity& law) {
+  const auto read = [&](const Key& key, std::string_view right, std::string_view unit) {
+    table.with(key.name, [&] {
+      const auto found = table.number_or_numbers(key, {right, 1.0, 0.0, {}, true}, unit);
+      law.stiffness = law.stiffness.empty() ? found : law.stiffness;
+    });
+  };
+  read({"stiffness",
+        "makes the cable elastic: the force per stretch s, or k1, k2, ... for the force k1 s + k2 "
+        "s^2 + ..."},
+       "a finite number above 0, or an array of numbers k1, k2, ... for k1 s + k2 s^2 + ...",
+       "[N/m, N/m^2, ...]");
+  read({"EA",
+        "instead of stiffness: the force per strain x, the stretch over the length of the time, or "
+        "k1, k2, ... for the force k1 x + k2 x^2 + ..."},
+       "a finite number above 0, or an array of numbers k1, k2, ... for k1 x + k2 x^2 + ... of the "
+       "strain x",
+       "[N]");
+  if (!law.of_strain) {
+    table.refuse_value("EA", "is there with stiffness, must be one of the two");
+  }
+  const Key corners = {"corners",
+                       "where the slope of the force changes: pairs of a stretch and the stiffness "
+                       "from there on, in rising stretch; with EA of a strain and the EA"};
+  const std::string form = law.of_strain ? "[strain, EA]" : "[stretch, stiffness]";
+  for (const Numbers<2>& corner :
+       table.vectors<2>(corners, law.of_strain ? "[-, N]" : "[m, N/m]", false, form)) {
+    law.corners.push_back({corner.x(), corner.y()});
+  }
+}
+
+/// The words for where it ceases to pull, in the order of `ElasticCut`.
+inline constexpr const char* cut_words[] = {"force", "stretch", "never"};
+
+/// Reads where it ceases to pull.
+inline void read_cut(StrictTable& table, Elasticity& law) {
+  const std::vector<std::string> words(std::begin(cut_words), std::end(cut_words));
+  const auto word = table.optional_one_of(
+      {"cut",
+       "where the cable ceases to pull: where its tension is 0, or where it is no longer "
+       "stretched, "
+       "which lets its damper push; or never, and its damper acts while it is slack, too; default "
+       "force"},
+      words);
+  for (std::size_t i = 0; word && i < words.size(); ++i) {
+    law.cut = words[i] == *word ? static_cast<ElasticCut>(i) : law.cut;
+  }
+}
+
 /// Reads how a cable pulls where it is longer than its length; none if it has no stiffness. With a
 /// stiffness, `restitution` is a third way to say the damping.
 inline std::optional<Elasticity> read_elasticity(StrictTable& table) {
-  const bool is_elastic = table.has("stiffness");
+  const bool by_stretch = table.has("stiffness");
+  const bool by_strain = table.has("EA");
+  const bool is_elastic = by_stretch || by_strain;
   Elasticity law;
-  table.with("stiffness", [&] {
-    const Range above = {
-        "a finite number above 0, or an array of numbers k1, k2, ... for k1 s + "
-        "k2 s^2 + ...",
-        1.0,
-        0.0,
-        {},
-        true};
-    law.stiffness = table.number_or_numbers(
-        {"stiffness",
-         "makes the cable elastic: the force per stretch s, or k1, k2, ... for the force k1 s + k2 "
-         "s^2 + ..."},
-        above, "[N/m, N/m^2, ...]");
+  law.of_strain = by_strain && !by_stretch;
+  if (is_elastic || table.describes()) {
+    read_force(table, law);
     read_damping(table, law);
-  });
-  for (const char* const key : {"damping", "damping_ratio"}) {
+    read_cut(table, law);
+  }
+  for (const char* const key : {"damping", "damping_ratio", "corners", "cut"}) {
+    table.needs(key, "stiffness EA");
     if (!is_elastic) {
-      table.refuse_value(key, "is for an elastic cable, must be there with stiffness");
+      table.refuse_value(key, "is for an elastic cable, must be there with stiffness or EA");
     }
   }
   if (!is_elastic) {
@@ -72,9 +119,15 @@ inline std::optional<Elasticity> read_elasticity(StrictTable& table) {
   const Range with_loss = {"in [1e-40, 1], for no damping takes all speed", 1e-40, 1e-40, 1.0};
   if (const auto share = table.optional_number({"restitution", ""}, with_loss, "")) {
     law.damping_ratio = damping_ratio_of(*share);
+    if (law.cut != ElasticCut::force) {
+      table.refuse_value("restitution",
+                         "is of contacts that end where the tension is 0, must be left out with "
+                         "this cut");
+    }
   }
   for (const char* const key : {"capture_speed", "restitution_table"}) {
-    table.refuse_value(key, "is for an inextensible cable, must be left out with stiffness");
+    table.refuse_value(key, "is for an inextensible cable, must be left out with " +
+                                std::string(law.of_strain ? "EA" : "stiffness"));
   }
   return law;
 }

@@ -103,15 +103,19 @@ MaybeNumber of_impact(const BasicCableOfSystem<double, D>& cable, double& number
   return cable.elasticity ? std::nullopt : MaybeNumber(plain(number));
 }
 
-/// The first coefficient; all of them grow with it.
-MaybeNumber stiffness(std::optional<Elasticity>& law) {
-  if (!law) {
+/// The first coefficient of a law of stretch, or of strain; all that there is grows with it.
+MaybeNumber stiffness(std::optional<Elasticity>& law, bool of_strain) {
+  if (!law || law->of_strain != of_strain) {
     return std::nullopt;
   }
-  const std::vector<double> now = law->stiffness;
-  return Number{now.front(), [&law, now](double value) {
-                  for (std::size_t i = 0; i < now.size(); ++i) {
-                    law->stiffness[i] = i == 0 ? value : now[i] * (value / now.front());
+  const Elasticity now = *law;
+  return Number{now.stiffness.front(), [&law, now](double value) {
+                  const double times = value / now.stiffness.front();
+                  for (std::size_t i = 0; i < now.stiffness.size(); ++i) {
+                    law->stiffness[i] = i == 0 ? value : now.stiffness[i] * times;
+                  }
+                  for (std::size_t i = 0; i < now.corners.size(); ++i) {
+                    law->corners[i].stiffness = now.corners[i].stiffness * times;
                   }
                 }};
 }
@@ -235,7 +239,8 @@ void each_kind(BasicSystem<double, D>& s, const Use& use) {
   of_cables("length", "m", [](auto& cable) { return constant_part(cable.length, 0); });
   of_cables("capture_speed", "m/s",
             [](auto& cable) { return of_impact(cable, cable.capture_speed); });
-  of_cables("stiffness", "N/m", [](auto& cable) { return stiffness(cable.elasticity); });
+  of_cables("stiffness", "N/m", [](auto& cable) { return stiffness(cable.elasticity, false); });
+  of_cables("EA", "N", [](auto& cable) { return stiffness(cable.elasticity, true); });
   of_cables("damping", "N s/m", [](auto& cable) { return damping(cable.elasticity); });
   of_cables("damping_ratio", "", [](auto& cable) { return damping_ratio(cable.elasticity); });
   of_cables("from_time", "s", [](auto& cable) { return plain(cable.from_time); });

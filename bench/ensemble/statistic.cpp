@@ -434,7 +434,7 @@ StatisticValues system_statistics(const EnsembleSpec& spec, const BasicSystem<do
     values[Place::lock] = lock->time;
     values[Place::residual_energy] = lock->residual_energy;
     values[Place::one_percent] = lock->one_percent;
-    values[Place::of(spec, Place::rests)] = lock->certain ? 1.0 : 0.0;
+    values[Place::of(spec, Place::rests)] = lock->at_rest ? 1.0 : 0.0;
   }
   if (const auto& forced = settled.forced) {
     values[Place::impacts_a_period] = forced->impacts;

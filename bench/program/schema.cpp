@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "bench/base/form.hpp"
 #include "bench/base/listed.hpp"
@@ -134,6 +137,17 @@ bool is_required(const Form& key) {
           std::any_of(inside.begin(), inside.end(), is_required));
 }
 
+/// A schema for each of `keys` that a table may have, with spaces between.
+Json any_of_keys(std::string_view keys) {
+  Json result = Json::array();
+  while (!keys.empty()) {
+    const std::size_t end = std::min(keys.find(' '), keys.size());
+    result.push_back({{"required", {std::string(keys.substr(0, end))}}});
+    keys.remove_prefix(std::min(end + 1, keys.size()));
+  }
+  return result;
+}
+
 Json schema_of_keys(const Form& table) {
   Json properties = Json::object();
   Json required = Json::array();
@@ -142,14 +156,17 @@ Json schema_of_keys(const Form& table) {
   for (const Form& key : table.inside) {
     properties[key.key] = schema_of_form(key);
     if (is_required(key) && !key.unless.empty()) {
-      for (const std::string& one : {key.key, std::string(key.unless)}) {
-        any_of.push_back({{"required", {one}}});
+      any_of.push_back({{"required", {key.key}}});
+      for (const Json& one : any_of_keys(key.unless)) {
+        any_of.push_back(one);
       }
     } else if (is_required(key)) {
       required.push_back(key.key);
     }
-    if (!key.needs.empty()) {
-      together[key.key].push_back(key.needs);
+    if (const Json needs = any_of_keys(key.needs); needs.size() > 1) {
+      together[key.key]["anyOf"] = needs;
+    } else if (!needs.empty()) {
+      together[key.key].push_back(std::string(key.needs));
     }
     if (!key.with.empty()) {
       together[key.key].push_back(key.with);

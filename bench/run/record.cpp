@@ -319,7 +319,10 @@ class ContactRecorder {
         continue;
       }
       std::optional<ElasticContact>& contact = open_[index];
-      if (!(impulses[index] > 0.0)) {
+      // a damper that is not cut pushes before the cable is slack
+      const bool acts =
+          impulses[index] > 0.0 || (impulses[index] < 0.0 && gap(cable, after) < 0.0);
+      if (!acts) {
         close(contact, start, gap_rate(cable, before));
         continue;
       }

@@ -193,19 +193,21 @@ class Sentences {
     std::string cables = cable_names(lock.cables);
     cables.front() = 'C';
     const bool one = lock.cables.size() == 1;
-    std::string result =
-        fmt::format("{} {} taut from {} on{}.", cables,
-                    lock.certain ? (one ? "stays" : "stay") : (one ? "is" : "are"),
-                    time(lock.time, errors_.lock),
-                    lock.certain ? ": all is at rest" : ", as far as the run shows");
-    if (lock.residual_energy && !lock.certain) {
+    std::string result = fmt::format("{} {} taut from {} on{}.", cables,
+                                     lock.certain ? (one ? "stays" : "stay") : (one ? "is" : "are"),
+                                     time(lock.time, errors_.lock),
+                                     lock.at_rest   ? ": all is at rest"
+                                     : lock.certain ? ": the energy is too low to let go"
+                                                    : ", as far as the run shows");
+    if (lock.residual_energy && !lock.at_rest) {
       result += fmt::format(" Energy above the equilibrium at the end: {}.",
                             number(*lock.residual_energy, errors_.residual_energy));
     }
     if (lock.one_percent) {
-      result +=
-          fmt::format(" By {} drag has taken 99 % of the energy above the equilibrium at {}.",
-                      time(*lock.one_percent, errors_.one_percent), time(lock.time, errors_.lock));
+      result += fmt::format(" By {} {} taken 99 % of the energy above the equilibrium at {}.",
+                            time(*lock.one_percent, errors_.one_percent),
+                            lock.ring_down ? "drag and dampers have" : "drag has",
+                            time(lock.time, errors_.lock));
     }
     return result;
   }

@@ -254,7 +254,7 @@ CaseRow case_row(const ReferenceSystem& reference, double count_speed) {
                              .uncertainty = lock->uncertainty,
                              .cables = lock->cables,
                              .permanent = lock->certain,
-                             .rests = lock->certain,
+                             .rests = lock->at_rest,
                              .swing = {}};
   }
   SystemRow& shown = row.system.emplace();

@@ -7,7 +7,8 @@ namespace tautline {
 SpatialSystemState with_zones_of_step(const SpatialSystem& system, SpatialSystemState state) {
   for (std::size_t index = 0; index < system.cables.size(); ++index) {
     if (system.cables[index].elasticity) {
-      sort_zone(system, index, gap(system.cables[index], state) < 0.0, state);
+      const SpatialCable& cable = system.cables[index];
+      sort_zone(system, index, gap(cable, state) < 0.0, cable.acts_at(state.time), state);
     }
   }
   return state;
@@ -16,7 +17,7 @@ SpatialSystemState with_zones_of_step(const SpatialSystem& system, SpatialSystem
 std::vector<double> elastic_impulses(const SpatialSystem& system, const SpatialSystemState& state,
                                      double dt) {
   std::vector<double> result(system.cables.size());
-  for (const std::size_t index : state.elastic.engaged) {
+  for (const std::size_t index : state.elastic.pulling()) {
     result[index] = dt * elastic_tension(system, index, state);
   }
   return result;
@@ -24,7 +25,7 @@ std::vector<double> elastic_impulses(const SpatialSystem& system, const SpatialS
 
 std::vector<BodyLoad> elastic_loads(const SpatialSystem& system, const SpatialSystemState& state) {
   RowOf<SpatialSystem> wrench = no_change(state);
-  for (const std::size_t index : state.elastic.engaged) {
+  for (const std::size_t index : state.elastic.pulling()) {
     wrench += elastic_tension(system, index, state) * gap_gradient(system.cables[index], state);
   }
   std::vector<BodyLoad> result;

@@ -9,72 +9,141 @@
 
 namespace tautline {
 
-/// How an elastic cable pulls while it is stretched by s > 0 [m], with f(s) = k1 s + k2 s^2 + ...:
+/// A change of the slope of a force.
+template <class Real>
+struct BasicCorner {
+  Real stretch;    // [m], > 0, where it is; of a law of strain the strain [-]
+  Real stiffness;  // [N/m], > 0, the slope from there on; of a law of strain [N]
+};
+using Corner = BasicCorner<double>;
+
+/// How long an elastic cable pulls.
+enum class ElasticCut {
+  force,    // until its tension falls to zero: it never pushes
+  stretch,  // until it is no longer stretched: its damper pushes before
+  never,    // always: its damper acts while it is slack, too
+};
+
+/// How an elastic cable pulls while it is stretched by s > 0 [m]:
 ///
-///     T = max(0, f(s) + c s')                                                               (E1)
+///     T = max(0, f(s) + c s'),  f(s) = k1 s + k2 s^2 + ...                                  (E1)
 ///
-/// c is `damping`, or 2 `damping_ratio` sqrt(k1 / G) with the response G of the cable to an impulse
-/// of its own (B6) when it becomes stretched. At most one of both is above 0.
+/// c is `damping`, or 2 `damping_ratio` sqrt(f'(0) / G) with the response G of the cable to an
+/// impulse of its own (B6) when it becomes stretched. At most one of both is above 0.
+///
+/// With `corners` f has one coefficient, k1 is its slope up to the first of them, and f goes on
+/// in straight lines. A law of strain is one of s / L in the place of s, with the length L of the
+/// cable at the time: {EA} is f = EA s / L, also while L changes.
+///
+/// With another `cut` than `force` T = f(s) + c s', which may be below 0, and c s' where the cable
+/// is slack and the cut is `never`: then c is found when it begins to act.
 template <class Real>
 struct BasicElasticity {
-  std::vector<Real> stiffness = {};  // [N/m, N/m^2, N/m^3, ...], k1, k2, k3, ...; k1 > 0
-  Real damping = Real(0);            // [N s/m], >= 0
-  Real damping_ratio = Real(0);      // [-], >= 0
+  std::vector<Real> stiffness = {};             // [N/m, N/m^2, N/m^3, ...], k1, k2, k3, ...; k1 > 0
+  Real damping = Real(0);                       // [N s/m], >= 0
+  Real damping_ratio = Real(0);                 // [-], >= 0
+  std::vector<BasicCorner<Real>> corners = {};  // by rising stretch
+  bool of_strain = false;                       // its coefficients are [N]
+  ElasticCut cut = ElasticCut::force;           // of (E1)
 };
 using Elasticity = BasicElasticity<double>;
 
-/// The zones of the elastic cables of a system at an instant (E4); those in neither set are slack.
+/// The zones of the elastic cables of a system at an instant (E4); those in no set are slack.
 template <class Real>
 struct BasicElasticZones {
-  CableSet engaged;  // stretched, and pull
-  CableSet loose;    // stretched, but shrink too fast to pull
+  CableSet engaged;    // stretched, and pull
+  CableSet loose;      // stretched, but shrink too fast to pull
+  CableSet resisting;  // slack, with a damper that acts
   /// c [N s/m] of each cable since it was stretched last; empty: no cable is elastic.
   std::vector<Real> damping = {};
+  /// How many corners of its force each stretched cable is past; empty: 0 of each.
+  std::vector<std::size_t> past = {};
 
-  [[nodiscard]] CableSet stretched() const { return engaged | loose; }  // longer than they are
+  /// How many cable `index` is past.
+  [[nodiscard]] std::size_t corners_past(std::size_t index) const {
+    return index < past.size() ? past[index] : 0;
+  }
+
+  [[nodiscard]] CableSet stretched() const { return engaged | loose; }    // longer than they are
+  [[nodiscard]] CableSet pulling() const { return engaged | resisting; }  // have a tension
 };
 using ElasticZones = BasicElasticZones<double>;
 
-/// Elastic cables that change their zones at an instant.
+/// Elastic cables that change their zones or pass a corner at an instant.
 struct ElasticSwitches {
   CableSet engaging;    // from slack or loose to engaged
   CableSet letting_go;  // from engaged, or from loose to slack
+  CableSet passing;     // past their next corner
+  CableSet returning;   // back to before their last one
 
-  [[nodiscard]] bool empty() const { return (engaging | letting_go).empty(); }  // no cable does
+  [[nodiscard]] CableSet all() const { return engaging | letting_go | passing | returning; }
+  [[nodiscard]] bool empty() const { return all().empty(); }  // no cable does
 };
 
-/// The force f [N] of the spring at `stretch` [m].
+/// The length [m] over which `law` takes a stretch: that of the cable, `length`, or 1.
 template <class Real>
-[[nodiscard]] Real spring_force(const BasicElasticity<Real>& law, const Real& stretch) {
+[[nodiscard]] Real base_of(const BasicElasticity<Real>& law, const Real& length) {
+  return law.of_strain ? length : Real(1);
+}
+
+/// By how much the slope of the force rises at a corner.
+template <class Real>
+[[nodiscard]] Real rise_at(const BasicElasticity<Real>& law, std::size_t corner) {
+  return law.corners[corner].stiffness -
+         (corner == 0 ? law.stiffness[0] : law.corners[corner - 1].stiffness);
+}
+
+/// The force f [N] of the spring at `stretch` [m] of a cable of this `length` [m].
+template <class Real>
+[[nodiscard]] Real spring_force(const BasicElasticity<Real>& law, const Real& stretch,
+                                const Real& length) {
+  const Real x = stretch / base_of(law, length);
   Real result(0);
   for (std::size_t i = law.stiffness.size(); i-- > 0;) {
-    result = (result + law.stiffness[i]) * stretch;
+    result = (result + law.stiffness[i]) * x;
+  }
+  for (std::size_t i = 0; i < law.corners.size() && x > law.corners[i].stretch; ++i) {
+    result += rise_at(law, i) * (x - law.corners[i].stretch);
   }
   return result;
 }
 
-/// df/ds [N/m] at `stretch` [m].
+/// df/ds [N/m] at `stretch` [m]; at a corner, of the piece before it.
 template <class Real>
-[[nodiscard]] Real spring_stiffness(const BasicElasticity<Real>& law, const Real& stretch) {
+[[nodiscard]] Real spring_stiffness(const BasicElasticity<Real>& law, const Real& stretch,
+                                    const Real& length) {
+  const Real base = base_of(law, length);
+  const Real x = stretch / base;
   Real result(0);
   for (std::size_t i = law.stiffness.size(); i-- > 0;) {
-    result = result * stretch + static_cast<double>(i + 1) * law.stiffness[i];
+    result = result * x + static_cast<double>(i + 1) * law.stiffness[i];
   }
-  return result;
+  for (std::size_t i = 0; i < law.corners.size() && x > law.corners[i].stretch; ++i) {
+    result += rise_at(law, i);
+  }
+  return result / base;
 }
 
 /// The energy [J] that the spring stores at `stretch` [m]: the integral of f, 0 where it is not
 /// stretched.
 template <class Real>
-[[nodiscard]] Real spring_energy(const BasicElasticity<Real>& law, const Real& stretch) {
+[[nodiscard]] Real spring_energy(const BasicElasticity<Real>& law, const Real& stretch,
+                                 const Real& length) {
   if (!(stretch > 0)) {
     return Real(0);
   }
+  const Real base = base_of(law, length);
+  const Real x = stretch / base;
   Real result(0);
   for (std::size_t i = law.stiffness.size(); i-- > 0;) {
-    result = result * stretch + law.stiffness[i] / static_cast<double>(i + 2);
+    result = result * x + law.stiffness[i] / static_cast<double>(i + 2);
   }
-  return result * stretch * stretch;
+  result = result * x * x;
+  for (std::size_t i = 0; i < law.corners.size() && x > law.corners[i].stretch; ++i) {
+    const Real over = x - law.corners[i].stretch;
+    result += rise_at(law, i) * over * over / 2;
+  }
+  return result * base;
 }
 
 /// How long one contact of a linear cable without a load lasts, times the frequency sqrt(k G)

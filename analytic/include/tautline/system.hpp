@@ -203,6 +203,11 @@ template <class To, class Real, int D>
     }
     result.elasticity->damping = number(cable.elasticity->damping);
     result.elasticity->damping_ratio = number(cable.elasticity->damping_ratio);
+    for (const auto& corner : cable.elasticity->corners) {
+      result.elasticity->corners.push_back({number(corner.stretch), number(corner.stiffness)});
+    }
+    result.elasticity->of_strain = cable.elasticity->of_strain;
+    result.elasticity->cut = cable.elasticity->cut;
   }
   return result;
 }

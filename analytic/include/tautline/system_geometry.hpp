@@ -71,6 +71,13 @@ template <class Real, int D>
   return {given[0][0], given[1][0], given[2][0]};
 }
 
+/// The length of `cable` at the time of `state` [m].
+template <class Real, int D>
+[[nodiscard]] Real length_at(const BasicCableOfSystem<Real, D>& cable,
+                             const BasicSystemState<Real, D>& state) {
+  return cable.length.at(state.time)[0];
+}
+
 /// Length minus the distances from end to end [m]; infinite where the cable does not act.
 template <class Real, int D>
 [[nodiscard]] Real gap(const BasicCableOfSystem<Real, D>& cable,
@@ -78,7 +85,7 @@ template <class Real, int D>
   if (!cable.acts_at(state.time)) {
     return infinity<Real>();
   }
-  Real result = cable.length.at(state.time)[0];
+  Real result = length_at(cable, state);
   each_segment(cable, state, [&](std::size_t, const auto& segment) { result -= segment.distance; });
   return result;
 }
@@ -177,13 +184,17 @@ template <class Real, int D>
 }
 
 /// The tension of elastic cable `index` [N] by (E1) and its damping in `state`; below 0 where it is
-/// loose.
+/// loose, or pushes.
 template <class Real, int D>
 [[nodiscard]] Real elastic_tension(const BasicSystem<Real, D>& system, std::size_t index,
                                    const BasicSystemState<Real, D>& state) {
   const BasicCableOfSystem<Real, D>& cable = system.cables[index];
-  return spring_force(*cable.elasticity, Real(-gap(cable, state))) -
-         state.elastic.damping[index] * gap_rate(cable, state);
+  const Real damper = state.elastic.damping[index] * gap_rate(cable, state);
+  if (state.elastic.resisting.contains(index)) {
+    return -damper;
+  }
+  return spring_force(*cable.elasticity, Real(-gap(cable, state)), length_at(cable, state)) -
+         damper;
 }
 
 /// The accelerations of all bodies where no inextensible cable is taut: of their centres [m/s^2]
@@ -206,7 +217,7 @@ template <class Real, int D>
       result.template segment<spins<D>>(first + D) = moment.cwiseQuotient(moments(body.inertia));
     }
   }
-  for (const std::size_t index : state.elastic.engaged) {
+  for (const std::size_t index : state.elastic.pulling()) {
     result += elastic_tension(system, index, state) *
               gap_gradient(system.cables[index], state).cwiseProduct(inverse_mass(system.bodies));
   }
@@ -409,7 +420,7 @@ template <class Real, int D>
   Real result(0);
   for (const auto& cable : system.cables) {
     if (cable.elasticity) {
-      result += spring_energy(*cable.elasticity, Real(-gap(cable, state)));
+      result += spring_energy(*cable.elasticity, Real(-gap(cable, state)), length_at(cable, state));
     }
   }
   return result;

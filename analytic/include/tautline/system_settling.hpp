@@ -32,14 +32,20 @@ template <class Real>
 struct BasicSystemLock {
   Real time;         // [s], from which on they are taut; the limit of the last accumulation
   Real uncertainty;  // [s], of `time`
-  CableSet cables;   // that stay taut
-  bool certain;      // the bodies rest: no tension falls to zero ever after; else it is observed
+  CableSet cables;   // that stay taut, or engaged
+  /// No tension falls to zero ever after: the bodies rest, or their energy is too low for that
+  /// (E11). Else it is observed.
+  bool certain;
+  bool at_rest;  // the bodies rest
   /// [J], kinetic and above the equilibrium on these cables, at the end of the run; none where that
   /// equilibrium is on others, or there is none.
   std::optional<Real> residual_energy;
-  /// [s], when drag has taken 99 % of what that energy is at `time`; none: it has not yet, or there
-  /// is no drag.
+  /// [s], when drag and dampers have taken 99 % of what that energy is at `time`; none: they have
+  /// not yet, or there are none.
   std::optional<Real> one_percent;
+  /// [s], in which the stretch of a damped elastic cable rings down to 1/e of what it is beyond its
+  /// mean, the longest of these cables; none: there is none.
+  std::optional<Real> ring_down = std::nullopt;
 };
 using SystemLock = BasicSystemLock<double>;
 

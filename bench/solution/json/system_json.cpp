@@ -221,7 +221,8 @@ template <class Visitor>
 void fields(Visitor& visit, SystemLockRow& lock) {
   visit("time", lock.time, "from which on they are taut [s]");
   visit("cables", lock.cables);
-  visit("certain", lock.certain, "the bodies rest; else the lock is observed in this run alone");
+  visit("certain", lock.certain,
+        "no tension falls to zero ever after; else the lock is observed in this run alone");
   visit("residual_energy", lock.residual_energy,
         "above the equilibrium on these cables, at the end [J]; null: there is none on them");
   visit("one_percent", lock.one_percent,

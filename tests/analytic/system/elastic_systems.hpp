@@ -20,6 +20,30 @@ template <class Real>
   return {{stiffness}, damping, Real(0)};
 }
 
+/// The force [N] of the spring of a cable of this `length` [m] at `stretch` [m], past so many
+/// corners, from corner to corner.
+[[nodiscard]] inline double force_by_lines(const Elasticity& law, double stretch, double length,
+                                           std::size_t past) {
+  const double x = law.of_strain ? stretch / length : stretch;
+  double result = 0.0;
+  if (law.corners.empty()) {
+    double power = x;
+    for (const double k : law.stiffness) {
+      result += k * power;
+      power *= x;
+    }
+    return result;
+  }
+  double from = 0.0;
+  double slope = law.stiffness[0];
+  for (std::size_t i = 0; i < past; ++i) {
+    result += slope * (law.corners[i].stretch - from);
+    from = law.corners[i].stretch;
+    slope = law.corners[i].stiffness;
+  }
+  return result + slope * (x - from);
+}
+
 /// `cable` with this law.
 template <class Real, int D>
 [[nodiscard]] BasicCableOfSystem<Real, D> elastic(BasicCableOfSystem<Real, D> cable,

@@ -254,40 +254,6 @@ TEST(ElasticCable, GrazesWithoutAJump) {
   }
 }
 
-/// What two methods differ in.
-struct Apart {
-  std::size_t switchings = 0;  // in the same order
-  double time = 0.0;           // [s], of them
-  double state = 0.0;          // at the end
-};
-
-template <int D>
-Apart apart_from_extrapolation(BasicSystem<double, D> system, double duration, double step) {
-  system.duration = duration;
-  const auto solution = solve(system);
-  Independent<D> other(system, step);
-  other.run_to(duration);
-  Apart result;
-  for (const auto& event : solution.events()) {
-    EXPECT_EQ(event.cables.size(), 1U);
-    if (result.switchings == other.switchings().size()) {
-      ADD_FAILURE() << "one more at " << event.time;
-      break;
-    }
-    const Switching& switching = other.switchings()[result.switchings++];
-    EXPECT_EQ(*event.cables.begin(), switching.cable) << event.time;
-    EXPECT_EQ(event.kind == EventKind::entry, switching.engages) << event.time;
-    result.time = std::max(result.time, std::abs(event.time - switching.time));
-  }
-  EXPECT_EQ(result.switchings, other.switchings().size());
-  const auto end = solution.at(duration);
-  for (std::size_t i = 0; i < system.bodies.size(); ++i) {
-    result.state = std::max(
-        result.state, (Independent<D>::of(end.bodies[i]) - other.of_body(i)).cwiseAbs().maxCoeff());
-  }
-  return result;
-}
-
 void expect_alike(const std::string& what, const Apart& apart, std::size_t least, double allowed) {
   EXPECT_GE(apart.switchings, least) << what;
   expect_within(what + ", " + std::to_string(apart.switchings) + " switches", apart.time, allowed);

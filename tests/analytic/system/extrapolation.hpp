@@ -1,11 +1,16 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <vector>
 
-#include "tautline/system.hpp"
+#include "system/elastic_systems.hpp"
+#include "tautline/solve.hpp"
 
 // The motion of systems on elastic cables by another method: it shares the numbers of a system with
 // the solver, and nothing else. Lengths, ends in the world and gravity are constant.
@@ -56,7 +61,10 @@ class Independent {
  public:
   /// `step` [s] is small against the period of the fastest cable.
   Independent(const BasicSystem<double, D>& system, double step)
-      : system_(system), step_(step), zones_(system.cables.size(), Zone::slack) {
+      : system_(system),
+        step_(step),
+        zones_(system.cables.size(), Zone::slack),
+        past_(system.cables.size(), 0) {
     state_ = Numbers::Zero(static_cast<Eigen::Index>(system.bodies.size()) * numbers);
     for (std::size_t i = 0; i < system.bodies.size(); ++i) {
       put(system.initial.bodies[i],
@@ -71,15 +79,16 @@ class Independent {
       const Numbers next = ahead(step);
       double first = step;
       std::size_t which = system_.cables.size();
-      bool by_gap = false;
+      Watched by = Watched::gap;
       for (std::size_t cable = 0; cable < system_.cables.size(); ++cable) {
-        for (const bool of_gap : {false, true}) {
-          if (value(next, cable, of_gap) < 0.0) {
-            const double root = root_of(cable, of_gap, step);
+        for (const Watched one :
+             {Watched::tension, Watched::gap, Watched::next_corner, Watched::last_corner}) {
+          if (value(next, cable, one) < 0.0) {
+            const double root = root_of(cable, one, step);
             if (root < first || which == system_.cables.size()) {
               first = root;
               which = cable;
-              by_gap = of_gap;
+              by = one;
             }
           }
         }
@@ -87,7 +96,7 @@ class Independent {
       state_ = first == step ? next : ahead(first);
       time_ += first;
       if (which < system_.cables.size()) {
-        change(which, by_gap);
+        change(which, by);
       }
     }
   }
@@ -106,6 +115,7 @@ class Independent {
 
  private:
   enum class Zone { slack, engaged, loose };
+  enum class Watched { tension, gap, next_corner, last_corner };
   static constexpr int turn = D == 2 ? 1 : 4;
   static constexpr int spin = D == 2 ? 1 : 3;
   static constexpr int numbers = 2 * D + turn + spin;
@@ -168,14 +178,11 @@ class Independent {
 
   double tension(const Numbers& y, std::size_t cable) const {
     const auto [s, rate] = stretch(y, cable);
-    const auto& law = *system_.cables[cable].elasticity;
-    double force = law.damping * rate;
-    double power = s;
-    for (const double k : law.stiffness) {
-      force += k * power;
-      power *= s;
-    }
-    return force;
+    const auto& one = system_.cables[cable];
+    const double damper = one.elasticity->damping * rate;
+    return zones_[cable] == Zone::slack && one.elasticity->cut == ElasticCut::never
+               ? damper
+               : damper + force_by_lines(*one.elasticity, s, one.length.at(0.0)[0], past_[cable]);
   }
 
   Numbers rates(const Numbers& y) const {
@@ -197,7 +204,8 @@ class Independent {
       }
     }
     for (std::size_t cable = 0; cable < zones_.size(); ++cable) {
-      if (zones_[cable] == Zone::engaged) {
+      if (zones_[cable] == Zone::engaged ||
+          system_.cables[cable].elasticity->cut == ElasticCut::never) {
         add_pull(y, cable, result);
       }
     }
@@ -242,11 +250,18 @@ class Independent {
   }
 
   /// What falls below zero where a cable leaves its zone; above zero where nothing does.
-  double value(const Numbers& y, std::size_t cable, bool of_gap) const {
+  double value(const Numbers& y, std::size_t cable, Watched watched) const {
+    const bool of_gap = watched == Watched::gap;
+    if (!of_gap && watched != Watched::tension) {
+      return way_to_corner(y, cable, watched);
+    }
     switch (zones_[cable]) {
       case Zone::slack:
         return of_gap ? -stretch(y, cable).first : 1.0;
       case Zone::engaged:
+        if (system_.cables[cable].elasticity->cut != ElasticCut::force) {
+          return of_gap ? stretch(y, cable).first : 1.0;
+        }
         return of_gap ? 1.0 : tension(y, cable);
       case Zone::loose:
         return of_gap ? stretch(y, cable).first : -tension(y, cable);
@@ -254,23 +269,43 @@ class Independent {
     return 1.0;
   }
 
-  double root_of(std::size_t cable, bool of_gap, double high) const {
+  /// How far a stretched cable is from a corner.
+  double way_to_corner(const Numbers& y, std::size_t cable, Watched watched) const {
+    const auto& one = system_.cables[cable];
+    const auto& corners = one.elasticity->corners;
+    const bool ahead = watched == Watched::next_corner;
+    const std::size_t past = past_[cable];
+    if (zones_[cable] == Zone::slack || past == (ahead ? corners.size() : 0)) {
+      return 1.0;
+    }
+    const double at = corners[ahead ? past : past - 1].stretch *
+                      (one.elasticity->of_strain ? one.length.at(0.0)[0] : 1.0);
+    const double beyond = stretch(y, cable).first - at;
+    return ahead ? -beyond : beyond;
+  }
+
+  double root_of(std::size_t cable, Watched watched, double high) const {
     double low = 0.0;
     while (true) {
       const double middle = low + (high - low) / 2.0;
       if (!(low < middle && middle < high) || high - low < 1e-17) {
         return high;
       }
-      (value(ahead(middle), cable, of_gap) < 0.0 ? high : low) = middle;
+      (value(ahead(middle), cable, watched) < 0.0 ? high : low) = middle;
     }
   }
 
-  void change(std::size_t cable, bool by_gap) {
+  void change(std::size_t cable, Watched by) {
     Zone& zone = zones_[cable];
-    if (zone == Zone::engaged) {
-      zone = system_.cables[cable].elasticity->damping > 0.0 ? Zone::loose : Zone::slack;
+    if (by == Watched::next_corner) {
+      ++past_[cable];
+    } else if (by == Watched::last_corner) {
+      --past_[cable];
+    } else if (zone == Zone::engaged) {
+      const auto& law = *system_.cables[cable].elasticity;
+      zone = law.damping > 0.0 && law.cut == ElasticCut::force ? Zone::loose : Zone::slack;
       switchings_.push_back({time_, cable, false});
-    } else if (zone == Zone::loose && by_gap) {
+    } else if (zone == Zone::loose && by == Watched::gap) {
       zone = Zone::slack;
     } else {
       zone = Zone::engaged;
@@ -283,7 +318,44 @@ class Independent {
   double time_ = 0.0;
   Numbers state_;
   std::vector<Zone> zones_;
+  std::vector<std::size_t> past_;  // corners
   std::vector<Switching> switchings_;
 };
+
+/// What two methods differ in.
+struct Apart {
+  std::size_t switchings = 0;  // in the same order
+  double time = 0.0;           // [s], of them
+  double state = 0.0;          // at the end
+};
+
+/// How far `solve` and the other method, in steps of `step` [s], are apart after `duration` [s].
+template <int D>
+[[nodiscard]] Apart apart_from_extrapolation(BasicSystem<double, D> system, double duration,
+                                             double step) {
+  system.duration = duration;
+  const auto solution = solve(system);
+  Independent<D> other(system, step);
+  other.run_to(duration);
+  Apart result;
+  for (const auto& event : solution.events()) {
+    EXPECT_EQ(event.cables.size(), 1U);
+    if (result.switchings == other.switchings().size()) {
+      ADD_FAILURE() << "one more at " << event.time;
+      break;
+    }
+    const Switching& switching = other.switchings()[result.switchings++];
+    EXPECT_EQ(*event.cables.begin(), switching.cable) << event.time;
+    EXPECT_EQ(event.kind == EventKind::entry, switching.engages) << event.time;
+    result.time = std::max(result.time, std::abs(event.time - switching.time));
+  }
+  EXPECT_EQ(result.switchings, other.switchings().size());
+  const auto end = solution.at(duration);
+  for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+    result.state = std::max(
+        result.state, (Independent<D>::of(end.bodies[i]) - other.of_body(i)).cwiseAbs().maxCoeff());
+  }
+  return result;
+}
 
 }  // namespace tautline::test

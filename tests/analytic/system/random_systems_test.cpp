@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support.hpp"
+#include "system/elastic_systems.hpp"
 #include "system/random_system.hpp"
 #include "system/systems.hpp"
 #include "tautline/solve.hpp"
@@ -240,33 +241,44 @@ class DenseScan {
                  double over) const {
     state.time = std::nextafter(state.time, arc.start);  // before a knot that ends the arc
     const auto& cable = system_.cables[index];
-    const double stretch = over * cable.length.at(state.time)[0];
-    double result = -arc.initial.elastic.damping[index] * gap_rate(cable, state);
-    double power = stretch;
-    for (const double k : cable.elasticity->stiffness) {
-      result += k * power;
-      power *= stretch;
+    const auto& law = *cable.elasticity;
+    const double length = cable.length.at(state.time)[0];
+    const double stretch = over * length;
+    std::size_t past = 0;
+    while (past < law.corners.size() &&
+           law.corners[past].stretch < (law.of_strain ? over : stretch)) {
+      ++past;
     }
-    return result;
+    const double damper = arc.initial.elastic.damping[index] * gap_rate(cable, state);
+    return arc.initial.elastic.resisting.contains(index)
+               ? -damper
+               : force_by_lines(law, stretch, length, past) - damper;
   }
 
   void look_at_zone(const BasicArc<System>& arc, std::size_t index,
                     const BasicSystemState<double, D>& state, double over) {
-    const auto& [engaged, loose, damping] = arc.initial.elastic;
+    const CableSet engaged = arc.initial.elastic.engaged;
+    const CableSet loose = arc.initial.elastic.loose;
     if (!engaged.contains(index) && !loose.contains(index)) {
       astray = std::max(astray, over);
       return;
     }
     const auto& cable = system_.cables[index];
-    const double pull = tension(arc, index, state, over) /
-                        (cable.elasticity->stiffness[0] * cable.length.at(state.time)[0]);
+    if (cable.elasticity->cut != ElasticCut::force) {
+      astray = std::max(astray, -over);
+      return;
+    }
+    const double first = cable.elasticity->stiffness[0];  // [N/m], or [N]
+    const double pull =
+        tension(arc, index, state, over) /
+        (cable.elasticity->of_strain ? first : first * cable.length.at(state.time)[0]);
     astray = std::max(astray, engaged.contains(index) ? -pull : std::max(pull, -over));
   }
 
   void look_at_pulls(const BasicArc<System>& arc, double dt) {
     Eigen::VectorXd pull = pull_along(system_, arc, dt);
     const auto state = arc.after(dt, system_.gravity);
-    for (const std::size_t index : arc.initial.elastic.engaged) {
+    for (const std::size_t index : arc.initial.elastic.pulling()) {
       const auto& cable = system_.cables[index];
       const double over = taken_up(cable, state) / cable.length.at(state.time)[0] - 1.0;
       force_ = std::max(force_, pull.cwiseAbs().maxCoeff());
@@ -377,6 +389,16 @@ BasicSystem<double, D> with_elastic_cables(Random& random, BasicSystem<double, D
     if (random.chance(0.2)) {
       law.stiffness.push_back(stiffness * random.uniform(0.0, 5.0));
       law.stiffness.push_back(stiffness * random.uniform(0.0, 5.0));
+    } else if (random.chance(0.3)) {
+      const double first = random.log_uniform(1e-3, 0.3);
+      const double harder = random.log_uniform(0.2, 20.0);
+      const double further = random.uniform(1.1, 3.0);
+      const double last = random.log_uniform(0.2, 20.0);
+      law.corners = {{first, stiffness * harder}, {first * further, stiffness * last}};
+    }
+    law.of_strain = random.chance(0.3);  // the same numbers over lengths of about 1 m
+    if (random.chance(0.2)) {
+      law.cut = random.chance(0.5) ? ElasticCut::stretch : ElasticCut::never;
     }
     cable.restitution = 1.0;
     cable.elasticity = law;

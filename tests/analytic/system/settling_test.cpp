@@ -4,7 +4,8 @@
 #include <ctime>
 
 #include "support.hpp"
-#include "system/systems.hpp"
+#include "system/elastic_systems.hpp"
+#include "tautline/elastic_contacts.hpp"
 #include "tautline/solve.hpp"
 #include "tautline/system_settling.hpp"
 
@@ -126,6 +127,74 @@ TEST(SystemSettlingOf, ALoadThatAnotherPullsToARingHasNoEquilibrium) {
   EXPECT_FALSE(result.lock->residual_energy);
   constexpr double most = 5.0;  // of these solves [-]: it turned around the ring for hundreds
   EXPECT_LE(static_cast<double>(end - solved), most * static_cast<double>(solved - start));
+}
+
+/// A mass of 1 kg on a cable of 400 N/m with this `energy` [J] above its equilibrium, whose share
+/// of stretch and speed is given by `phase` [rad].
+System on_a_spring(double ratio, double energy, double phase) {
+  constexpr double k = 400.0;
+  const double amplitude = std::sqrt(2.0 * energy / k);
+  return drop<double>(with_ratio(k, ratio), 9.81, std::sqrt(k) * amplitude * std::sin(phase),
+                      -9.81 / k - amplitude * std::cos(phase));
+}
+
+TEST(SystemSettlingOf, AnElasticCableStaysEngagedBelowItsLeastEnergy) {
+  for (const double ratio : {0.0, 0.1, 0.5, 2.0}) {
+    const double least = 9.81 * 9.81 / (2.0 * 400.0 * (1.0 + 4.0 * ratio * ratio));
+    for (const double part : {0.999, 1.001}) {
+      System system = on_a_spring(ratio, part * least, 0.5 * pi<double>());
+      system.duration = 1e-6;
+      const SystemSettling result = settled(system);
+      ASSERT_EQ(result.lock.has_value(), part < 1.0) << ratio;
+      if (!result.lock) {
+        continue;
+      }
+      EXPECT_TRUE(result.lock->certain) << ratio;
+      EXPECT_FALSE(result.lock->at_rest) << ratio;
+      EXPECT_EQ(result.lock->time, 0.0) << ratio;
+      EXPECT_NEAR(*result.lock->residual_energy / (part * least), 1.0, 1e-3) << ratio;
+      const double slower = ratio > 1.0 ? ratio - std::sqrt(ratio * ratio - 1.0) : ratio;
+      EXPECT_EQ(result.lock->ring_down.has_value(), ratio > 0.0);
+      EXPECT_NEAR(result.lock->ring_down.value_or(0.0) * slower * 20.0, ratio > 0.0 ? 1.0 : 0.0,
+                  1e-12);
+    }
+  }
+}
+
+TEST(SystemSettlingOf, AnElasticCableThatIsCertainDoesNotLetGo) {
+  constexpr int phases = 12;
+  for (const double ratio : {0.05, 0.4}) {
+    const double least = 9.81 * 9.81 / (2.0 * 400.0 * (1.0 + 4.0 * ratio * ratio));
+    int exits = 0;
+    for (int i = 0; i < phases; ++i) {
+      const double phase = 2.0 * pi<double>() * i / phases;
+      const auto below = elastic_contacts(solve(on_a_spring(ratio, 0.999 * least, phase)));
+      ASSERT_EQ(below.size(), 1U) << ratio << ", " << phase;
+      EXPECT_FALSE(below[0].exit) << ratio << ", " << phase;
+      for (const auto& contact : elastic_contacts(solve(on_a_spring(ratio, 20.0 * least, phase)))) {
+        exits += contact.exit ? 1 : 0;
+      }
+    }
+    EXPECT_GT(exits, 0) << ratio;  // with more it may
+  }
+}
+
+TEST(SystemSettlingOf, AMassThatDropsOnAnElasticCableLocksAtItsLastEntry) {
+  System system = drop<double>(with_ratio(1e3, 0.2), 9.81, 1.0, 0.1);
+  system.duration = 3.0;
+  const auto solution = solve(system);
+  const auto contacts = elastic_contacts(solution);
+  const SystemSettling result = settling(system, solution);
+  ASSERT_TRUE(result.lock);
+  EXPECT_TRUE(result.lock->certain);
+  EXPECT_EQ(result.lock->time, contacts.back().entry);
+  EXPECT_FALSE(contacts.back().exit);
+  EXPECT_NEAR(*result.lock->ring_down, 1.0 / (0.2 * std::sqrt(1e3)), 1e-12);
+  EXPECT_LE(*result.lock->residual_energy, 1e-12);
+  ASSERT_TRUE(result.lock->one_percent);
+  EXPECT_LT(*result.lock->one_percent, result.lock->time + 1.0);
+  system.duration = contacts[0].entry + 1e-3;  // in the midst of its first contact
+  EXPECT_FALSE(settled(system).lock);
 }
 
 TEST(CommonPeriod, IsTheLeastThatHoldsAllWaves) {

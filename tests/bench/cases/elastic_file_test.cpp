@@ -33,6 +33,8 @@ Elasticity law_of(const std::string& keys) {
   EXPECT_EQ(law.stiffness, same.stiffness) << keys;
   EXPECT_EQ(law.damping, same.damping) << keys;
   EXPECT_EQ(law.damping_ratio, same.damping_ratio) << keys;
+  EXPECT_EQ(law.of_strain, same.of_strain) << keys;
+  EXPECT_EQ(law.corners.size(), same.corners.size()) << keys;
   return law;
 }
 
@@ -51,13 +53,37 @@ TEST(ElasticFile, SaysHowACableStretches) {
   EXPECT_EQ(law_of("stiffness = 100.0\nrestitution = 1.0").damping_ratio, 0.0);
 }
 
+TEST(ElasticFile, SaysWhereTheForceBendsAndWhatItDependsOn) {
+  const Elasticity bent = law_of("stiffness = 100.0\ncorners = [[0.02, 500], [0.05, 80.0]]");
+  ASSERT_EQ(bent.corners.size(), 2U);
+  EXPECT_EQ(bent.corners[0].stretch, 0.02);
+  EXPECT_EQ(bent.corners[0].stiffness, 500.0);
+  EXPECT_EQ(bent.corners[1].stretch, 0.05);
+  EXPECT_EQ(bent.corners[1].stiffness, 80.0);
+  EXPECT_FALSE(bent.of_strain);
+  const Elasticity strained = law_of("EA = 1.5e4\ndamping_ratio = 0.1");
+  EXPECT_EQ(strained.stiffness, std::vector<double>{1.5e4});
+  EXPECT_EQ(strained.damping_ratio, 0.1);
+  EXPECT_TRUE(strained.of_strain);
+  EXPECT_EQ(law_of("EA = [100.0, 50.0]").stiffness, (std::vector<double>{100.0, 50.0}));
+  EXPECT_EQ(strained.cut, ElasticCut::force);
+  EXPECT_EQ(law_of("EA = 1.0\ncut = \"force\"").cut, ElasticCut::force);
+  EXPECT_EQ(law_of("EA = 1.0\ncut = \"stretch\"").cut, ElasticCut::stretch);
+  EXPECT_EQ(law_of("EA = 1.0\ncut = \"never\"").cut, ElasticCut::never);
+}
+
 TEST(ElasticFile, IsWrittenWithoutImpacts) {
   for (const auto& [keys, written] : std::vector<std::pair<std::string, std::string>>{
            {"stiffness = 100", "stiffness = 100.0\n"},
            {"stiffness = [100.0]", "stiffness = 100.0\n"},
            {"stiffness = [100.0, 5.0]\ndamping = 0.5", "stiffness = [100.0, 5.0]\ndamping = 0.5\n"},
            {"stiffness = 100.0\ndamping_ratio = 0.25", "stiffness = 100.0\ndamping_ratio = 0.25\n"},
-           {"stiffness = 100.0\nrestitution = 1.0", "stiffness = 100.0\n"}}) {
+           {"stiffness = 100.0\nrestitution = 1.0", "stiffness = 100.0\n"},
+           {"stiffness = 100.0\ncorners = [[0.02, 500]]\ndamping = 0.5",
+            "stiffness = 100.0\ncorners = [[0.02, 500.0]]\ndamping = 0.5\n"},
+           {"EA = 200\ncorners = [[0.02, 500]]", "EA = 200.0\ncorners = [[0.02, 500.0]]\n"},
+           {"stiffness = 2.0\ncut = \"force\"", "stiffness = 2.0\n"},
+           {"stiffness = 2.0\ncut = \"never\"", "stiffness = 2.0\ncut = \"never\"\n"}}) {
     const SystemReading reading = read_system_text(jumper(keys), "jumper.toml");
     ASSERT_TRUE(reading.system) << keys;
     const std::string text = write_system(*reading.system);
@@ -107,7 +133,32 @@ TEST(ElasticFile, AMistakeGivesOneSentence) {
       {"stiffness = 5.0\ndampng = 0.1",
        "14: cables[0].dampng = 0.1: unknown key; did you mean damping?"},
       {"restitution = 0.8\ndamping = 0.1",
-       "14: cables[0].damping = 0.1: is for an elastic cable, must be there with stiffness"},
+       "14: cables[0].damping = 0.1: is for an elastic cable, must be there with stiffness or EA"},
+      {"restitution = 0.8\ncorners = [[0.1, 2.0]]",
+       "14: cables[0].corners: is for an elastic cable, must be there with stiffness or EA"},
+      {"stiffness = 5.0\ncut = \"maybe\"",
+       "14: cables[0].cut = \"maybe\": must be force, stretch or never"},
+      {"stiffness = 5.0\nEA = 5.0",
+       "14: cables[0].EA = 5: is there with stiffness, must be one of the two"},
+      {"EA = 0",
+       "13: cables[0].EA = 0: must be a finite number above 0, or an array of numbers k1, "
+       "k2, ... for k1 x + k2 x^2 + ... of the strain x [N]"},
+      {"EA = 1e15",
+       "9: cable 0: its frequency, 22360679.774997897 rad/s, must be at most 625000 rad/s for a "
+       "duration of 4 s: make it inextensible with restitution 1, which its contacts have, or "
+       "lower its EA to 7.8125e+11 N"},
+      {"EA = 5.0\ncut = \"never\"\nrestitution = 0.5",
+       "15: cables[0].restitution = 0.5: is of contacts that end where the tension is 0, must be "
+       "left out with this cut"},
+      {"EA = 5.0\ncapture_speed = 0.1",
+       "14: cables[0].capture_speed = 0.1: is for an inextensible cable, must be left out with EA"},
+      {"stiffness = 5.0\ncorners = [[0.1, 0.0]]",
+       "14: cable 0: corners[0]: stiffness 0 must be a finite number above 0 [N/m]"},
+      {"stiffness = 5.0\ncorners = [[0.1, 7.0], 7.0]",
+       "14: cables[0].corners[1] = 7: is a number, must be two numbers [stretch, stiffness] [m, "
+       "N/m]"},
+      {"stiffness = [5.0, 1.0]\ncorners = [[0.1, 7.0]]",
+       "14: cable 0: corners go on from one stiffness, and 2 coefficients are given; must be one"},
       {"stifness = 5.0\nrestitution = 0.8",
        "13: cables[0].stifness = 5: unknown key; did you mean stiffness?"},
   };

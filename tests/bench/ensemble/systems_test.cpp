@@ -136,6 +136,16 @@ TEST(SystemQuantities, OfAnElasticCableAreItsOwn) {
   EXPECT_EQ(winch.cables[0].elasticity->damping, 3.0);
   EXPECT_EQ(unit_of_quantity(winch, "damping"), "N s/m");
   EXPECT_FALSE(has(winch, "damping_ratio"));
+  EXPECT_FALSE(has(winch, "EA"));
+  winch.cables[0].elasticity->of_strain = true;
+  winch.cables[0].elasticity->stiffness = {100.0};
+  winch.cables[0].elasticity->corners = {{0.01, 400.0}};
+  EXPECT_FALSE(has(winch, "stiffness"));
+  EXPECT_EQ(unit_of_quantity(winch, "EA"), "N");
+  set_quantity(winch, "EA_0", 50.0);
+  EXPECT_EQ(winch.cables[0].elasticity->stiffness, std::vector<double>{50.0});
+  EXPECT_EQ(winch.cables[0].elasticity->corners[0].stiffness, 200.0);
+  EXPECT_EQ(winch.cables[0].elasticity->corners[0].stretch, 0.01);
 }
 
 TEST(SystemQuantities, InSpaceHaveTheNamesOfTheFile) {

@@ -128,8 +128,8 @@ template <class Real, int D>
   return state;
 }
 
-/// Sorts elastic cable `index` in `state`, `stretched` now or slack, by what it pulls with; one that
-/// does not act has no zone.
+/// Sorts elastic cable `index` in `state`, `stretched` now or slack, by what it pulls with; one
+/// that does not act has no zone.
 template <class Real, int D>
 void sort_zone(const BasicSystem<Real, D>& system, std::size_t index, bool stretched, bool acts,
                BasicSystemState<Real, D>& state) {
@@ -137,8 +137,8 @@ void sort_zone(const BasicSystem<Real, D>& system, std::size_t index, bool stret
   if (stretched && !is_stretched(state, index)) {
     begin_stretch(system, index, state);
   }
-  const bool pulls = stretched && acts &&
-                     (cut != ElasticCut::force || elastic_tension(system, index, state) > 0);
+  const bool pulls =
+      stretched && acts && (cut != ElasticCut::force || elastic_tension(system, index, state) > 0);
   auto& zones = state.elastic;
   zones.engaged.erase(index);
   zones.loose.erase(index);

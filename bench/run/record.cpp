@@ -320,8 +320,7 @@ class ContactRecorder {
       }
       std::optional<ElasticContact>& contact = open_[index];
       // a damper that is not cut pushes before the cable is slack
-      const bool acts =
-          impulses[index] > 0.0 || (impulses[index] < 0.0 && gap(cable, after) < 0.0);
+      const bool acts = impulses[index] > 0.0 || (impulses[index] < 0.0 && gap(cable, after) < 0.0);
       if (!acts) {
         close(contact, start, gap_rate(cable, before));
         continue;

@@ -73,14 +73,13 @@ TEST(BentForce, KeepsToTheClosedFormOfOneContact) {
     const double offset = k * at / beyond;
     const double amplitude = std::hypot(offset, left / fast);
     const double lasts = 2.0 * up_to + 2.0 * std::atan2(left, offset * fast) / fast;
-    const double most = std::max({std::abs((*found[0].exit - found[0].entry) / lasts - 1.0),
-                                  std::abs(found[0].exit_speed / speed - 1.0),
-                                  std::abs(found[0].peak / (beyond * amplitude) - 1.0),
-                                  std::abs(found[0].greatest_stretch /
-                                               (amplitude - offset + at) - 1.0),
-                                  std::abs(found[0].impulse / (2.0 * speed) - 1.0),
-                                  std::abs(found[0].peak_time / (found[0].entry + lasts / 2.0) -
-                                           1.0)});
+    const double most =
+        std::max({std::abs((*found[0].exit - found[0].entry) / lasts - 1.0),
+                  std::abs(found[0].exit_speed / speed - 1.0),
+                  std::abs(found[0].peak / (beyond * amplitude) - 1.0),
+                  std::abs(found[0].greatest_stretch / (amplitude - offset + at) - 1.0),
+                  std::abs(found[0].impulse / (2.0 * speed) - 1.0),
+                  std::abs(found[0].peak_time / (found[0].entry + lasts / 2.0) - 1.0)});
     // the corner is known to a rounding of the length, a time beyond it to that over the speed
     expect_within("contact with a corner, then " + std::to_string(beyond) + " N/m", most, 2e-13);
   }
@@ -234,13 +233,13 @@ TEST(CutOfNothing, BrakesASlackCableToo) {
   const double later = entry * kept * std::exp(-damping * left);
   const double height = (entry * kept - later) / damping;
   const State end = solution.at(solution.end_time()).bodies[0];
-  expect_within("contact and flight",
-                std::max({std::abs(found[0].entry_speed - entry),
-                          std::abs(found[0].entry + std::log(entry) / damping),
-                          std::abs(found[0].exit_speed - entry * kept),
-                          std::abs(end.velocity.y() - later),
-                          std::abs(end.position.y() + 1.0 - height)}),
-                2e-13);
+  expect_within(
+      "contact and flight",
+      std::max({std::abs(found[0].entry_speed - entry),
+                std::abs(found[0].entry + std::log(entry) / damping),
+                std::abs(found[0].exit_speed - entry * kept), std::abs(end.velocity.y() - later),
+                std::abs(end.position.y() + 1.0 - height)}),
+      2e-13);
   EXPECT_NEAR(solution.tensions(0.0)[0], damping, 1e-14);
   EXPECT_NEAR(solution.tensions(solution.end_time())[0], -damping * later, 1e-13);
   const SystemLedger ledger = energy_ledger(system, solution);
@@ -299,7 +298,8 @@ TEST(LawsOfElasticity, AccountForEveryJoule) {
     EXPECT_TRUE(problems(system).empty()) << name << ": " << problems(system).front();
     const SystemLedger ledger = energy_ledger(system, solve(system));
     EXPECT_GE(ledger.dissipated, -1e-14 * ledger.range) << name;
-    // each arc knows a stretch to a rounding of the length, and its energy to that times the tension
+    // each arc knows a stretch to a rounding of the length, and its energy to that times the
+    // tension
     expect_within(name, std::abs(ledger.residual) / ledger.range, 5e-14);
   }
 }

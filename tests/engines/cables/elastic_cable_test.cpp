@@ -129,7 +129,8 @@ TEST(StretchingCable, ComesToRestWhereItsLawSaysAtAnyStiffness) {
             << "k h^2 / m of " << part;
       }
       // the rounding of a stretch, times the stiffness
-      const double rounding = 100.0 * Scene::rounding * (1.0 + part * unit * cable_length / load_weight);
+      const double rounding =
+          100.0 * Scene::rounding * (1.0 + part * unit * cable_length / load_weight);
       EXPECT_NEAR(setup.scene->taut_tension(0) / load_weight, 1.0, rounding) << part;
       EXPECT_NEAR(-setup.scene->reported_gap(0) * part * unit / load_weight, 1.0, rounding) << part;
     }
@@ -142,8 +143,7 @@ TEST(StretchingCable, SharesALoadWithOthers) {
   const double stiffness = 1e4;
   for (const double side : {-0.3, 0.3}) {
     for (const double depth : {-0.2, 0.2}) {
-      CableData data{
-          {0, Vec3(side, 0.2, depth)}, {-1, Vec3(side, 5.2, depth)}, cable_length, 0.0};
+      CableData data{{0, Vec3(side, 0.2, depth)}, {-1, Vec3(side, 5.2, depth)}, cable_length, 0.0};
       data.stiffness = {stiffness};
       data.damping_ratio = 0.1;
       scene.add_cable(data);
@@ -213,7 +213,8 @@ TEST(StretchingCable, TellsTensionPeakAndImpulse) {
   const double phase = 2.0 * (std::acos(-1.0) - std::atan(frequency * speed / gravity));
   const double damped = 4.0 * frequency / rate;  // [-]
   EXPECT_NEAR(impulse / (2.0 * load_mass * speed + load_weight * phase / frequency), 1.0, damped);
-  const double peak = load_weight + std::hypot(load_weight, std::sqrt(stiffness * load_mass) * speed);
+  const double peak =
+      load_weight + std::hypot(load_weight, std::sqrt(stiffness * load_mass) * speed);
   EXPECT_NEAR(most / peak, 1.0, damped);
   EXPECT_NEAR(setup.scene->peak_tension(0), most, 1e-5 * load_weight);
 }

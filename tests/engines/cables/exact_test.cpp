@@ -329,12 +329,12 @@ PlanarWorld bungee() {
   return {"bungee", system, 0.9};
 }
 
-/// The two loads of `series` on cables whose stiffness rises with the stretch, one undamped.
+/// The two loads of `series` on cables whose stiffness rises with the stretch.
 PlanarWorld elastic_series() {
   PlanarWorld result = series();
   result.name = "elastic series";
-  make_elastic(result.system.cables[0], {{2000.0, 2e4, 1e5}, 0.0, 0.0});
-  make_elastic(result.system.cables[1], {{3000.0, 0.0, 1e6}, 20.0, 0.0});
+  make_elastic(result.system.cables[0], {{800.0, 2000.0, 4000.0}, 0.0, 0.1});
+  make_elastic(result.system.cables[1], {{1000.0, 0.0, 5000.0}, 20.0, 0.0});
   return result;
 }
 
@@ -356,19 +356,19 @@ SpatialWorld mixed_slings() {
   return result;
 }
 
-/// The error of elastic cables over the step is at most this [m/s]: an implicit step damps the
-/// speed of 3 m/s of a contact by half of its frequency of 40 to 60 rad/s times the step, over the
-/// third of a second in which what is lost of it shows.
-constexpr double most_over_step_of_elastic = 40.0;
+/// The error of elastic cables over the step is at most this [m/s]: an implicit step damps a
+/// contact at 3 m/s by half of its frequency of 20 to 60 rad/s times the step, and what is lost of
+/// the speed shows for some tenths of a second.
+constexpr double most_over_step_of_elastic = 80.0;
 
 template <int D>
 void expect_first_order_of_elastic(const ExactWorld<D>& world) {
-  constexpr double slope_error = 0.2;  // [-], down from 240 Hz, whose steps a contact has 20 of
+  constexpr double slope_error = 0.3;  // [-]: where in a step a contact begins is chance
   BasicSystem<double, D> system = world.system;
   system.duration = world.end;
   EXPECT_EQ(problems(system), std::vector<std::string>());
   EXPECT_GE(elastic_contacts(solve(system)).size(), 1U) << world.name;
-  const double order = order_of(world, 240.0, most_over_step_of_elastic);
+  const double order = order_of(world, 480.0, most_over_step_of_elastic);
   // in float the rounding of a stretch near 5 m, times the stiffness, is as large as a step's error
   if (Scene::rounding < 1e-10) {
     EXPECT_NEAR(order, 1.0, slope_error) << world.name;

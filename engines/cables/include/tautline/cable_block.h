@@ -59,6 +59,7 @@ class CableBlock {
 
   void assemble() {
     k_.resize(count_ * count_);
+    yields_ = false;
     for (std::size_t one = 0; one < count_; ++one) {
       for (std::size_t two = 0; two <= one; ++two) {
         double sum = 0.0;
@@ -70,6 +71,7 @@ class CableBlock {
         k_[one * count_ + two] = k_[two * count_ + one] = sum;
       }
       rigid_[one] = k(one, one);
+      yields_ = yields_ || rows_[one].compliance > 0.0;
       k_[one * count_ + one] += give_of(one);
     }
   }
@@ -254,9 +256,9 @@ class CableBlock {
 
   /// Cables that pull alike leave K singular. With this part more on its diagonal it can be
   /// factored; a refinement takes the part's effect out again, unless the host's numbers are so
-  /// coarse that there is nothing to refine [-].
+  /// coarse that there is nothing to refine; elastic cables have little to yield by [-].
   double regularisation() const { return std::max(1e-10, 8.0 * rounding_); }
-  int refinements() const { return rounding_ < 1e-10 ? 1 : 0; }
+  int refinements() const { return rounding_ < 1e-10 || yields_ ? 1 : 0; }
   /// Rates and impulses as small as this part of the largest are zero [-].
   double nothing() const { return std::max(1e-13, rounding_); }
 
@@ -380,6 +382,7 @@ class CableBlock {
   std::vector<double> right_;
   double largest_impulse_ = 0;
   double largest_rate_ = 0;
+  bool yields_ = false;     // a row has a compliance
   bool redundant_ = false;  // the factor is that of a K that is nearly singular
   bool factored_ = false;
   Kind factored_of_ = velocities;

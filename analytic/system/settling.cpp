@@ -87,7 +87,7 @@ BasicSystem<Real, D> calmed(BasicSystem<Real, D> system, const BasicSystemState<
     body.spin_drag = 2 * moments(body.inertia).maxCoeff() * rate;
   }
   for (auto& cable : system.cables) {
-    cable.restitution = Real(0);
+    cable.restitution = Real(cable.elasticity ? 1 : 0);
     cable.restitution_table.clear();
     cable.from_time.reset();
     cable.cut_at.reset();
@@ -114,6 +114,9 @@ std::optional<Real> least_energy(const BasicSystem<Real, D>& system,
   BasicSystem<Real, D> calm = calmed(system, projected(system, still, held), rate);
   constexpr double times = 300.0;  // of the scale of time: soft motions are slower
   calm.duration = times / rate;
+  if (!problems(in_double(calm)).empty()) {  // too stiff a spring for that long
+    return std::nullopt;
+  }
   SolveOptions limited;
   limited.max_events = 100;  // it hardly moves
   limited.max_steps = 500;   // with an equilibrium up to 300; without, it may fall into a ring

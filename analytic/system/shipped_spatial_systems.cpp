@@ -216,6 +216,25 @@ SpatialSystem moored_buoy() {
   return result;
 }
 
+/// Its ropes are elastic, with the damping ratio of this restitution.
+SpatialSystem elastic_hoist() {
+  constexpr double stiffness = 5e4;  // [N/m]
+  constexpr double restitution = 0.5;
+  SpatialSystem result = empty_space("hoist-elastic", 9.81, 4.0);
+  SpatialState start = still_at(Point(0.05, 0.02, -2.2));
+  start.spin = Point(0.0, 0.0, 0.2);
+  add_spatial_body(result, "box", 100.0, box(100.0, 1.2, 0.8, 0.5), start);
+  for (const double side : {-0.5, 0.5}) {
+    SpatialCable rope = spatial_cable(body_end(0, Point(side, 0.0, 0.25)),
+                                      world_end(Point(side, 0.0, 0.0)), 2.0, 1.0);
+    rope.length = Function<1>::linear({0.2, 1.2}, {One(2.0), One(1.5)});
+    rope.elasticity.emplace().stiffness = {stiffness};
+    rope.elasticity->damping_ratio = damping_ratio_of(restitution);
+    result.cables.push_back(std::move(rope));
+  }
+  return result;
+}
+
 /// The standard breakwater in the plane of x = (0.8, -0.6, 0) and y = (0.36, 0.48, 0.8), which is
 /// up.
 SpatialSystem breakwater_in_a_tilted_plane() {
@@ -277,6 +296,9 @@ std::vector<ShippedSpatialSystem> shipped_spatial_systems() {
       {moored_buoy(),
        "A buoy on four mooring lines under the surface, with drag, in waves from the side. In each "
        "trough lines go slack, and they snap when the wave lifts it again."},
+      {elastic_hoist(),
+       "A box of 100 kg falls by 5 cm into two elastic ropes, which a hoist draws in by 0.5 m from "
+       "0.2 s to 1.2 s. One rope pulls with up to 1668.97 N; when the hoist stops, the box flies."},
       {breakwater_in_a_tilted_plane(),
        "The standard breakwater in a tilted plane of space, gravity in it. It stays in its plane "
        "and moves as in two dimensions, which is a test of every rotation in a solver."}};

@@ -29,6 +29,14 @@ CableOfSystem cable(End from, End to, double length, double restitution) {
   return result;
 }
 
+/// The same, elastic: with the damping ratio that belongs to its restitution.
+CableOfSystem elastic_cable(End from, End to, double length, double stiffness, double restitution) {
+  CableOfSystem result = cable(std::move(from), std::move(to), length, 1.0);
+  result.elasticity.emplace().stiffness = {stiffness};
+  result.elasticity->damping_ratio = damping_ratio_of(restitution);
+  return result;
+}
+
 /// A system without bodies or cables, in SI units.
 System empty_system(const std::string& name, const Vec2& gravity, double duration) {
   System result;
@@ -198,6 +206,44 @@ System newtons_cradle() {
   return result;
 }
 
+System snap() {
+  System result = empty_system("snap", Vec2(0.0, -9.81), 3.0);
+  add_body(result, "load", 1.0, 0.0, at_rest(Vec2(0.0, -0.5)));
+  result.cables = {elastic_cable(on_body(0), in_world(Vec2(0.0, 0.0)), 1.0, 1e4, 0.7)};
+  return result;
+}
+
+System bungee() {
+  System result = empty_system("bungee", Vec2(0.0, -9.81), 30.0);
+  add_body(result, "jumper", 80.0, 0.0, at_rest(Vec2(0.0, 0.0)));
+  result.cables = {cable(on_body(0), in_world(Vec2(0.0, 0.0)), 20.0, 1.0)};
+  Elasticity& cord = result.cables.front().elasticity.emplace();
+  cord.stiffness = {160.0};
+  cord.damping_ratio = 0.05;
+  return result;
+}
+
+System elastic_breakwater() {
+  System result = standard_breakwater("breakwater-elastic", 6.0);
+  for (CableOfSystem& one : result.cables) {
+    one = elastic_cable(one.from, one.to, one.length.at(0.0)[0], 1e4, one.restitution);
+  }
+  return result;
+}
+
+/// The rope does not stretch, the strop does.
+System elastic_strop() {
+  System result = empty_system("elastic-strop", Vec2(0.0, -9.81), 5.0);
+  add_body(result, "hook", 10.0, 0.0, at_rest(Vec2(0.0, -0.8)));
+  add_body(result, "load", 50.0, 0.0, at_rest(Vec2(0.3, -1.5)));
+  result.cables = {cable(on_body(0), in_world(Vec2(0.0, 0.0)), 1.0, 0.3),
+                   cable(on_body(1), on_body(0), 1.0, 1.0)};
+  Elasticity& strop = result.cables.back().elasticity.emplace();
+  strop.stiffness = {2e4};
+  strop.damping = 200.0;
+  return result;
+}
+
 }  // namespace
 
 std::vector<ShippedSystem> shipped_systems() {
@@ -241,6 +287,21 @@ std::vector<ShippedSystem> shipped_systems() {
       {slung_load(),
        "A load below a vehicle that speeds up, drives on and stops. The load alone moves; the "
        "anchor of its cable is given over time."},
+      {snap(),
+       "1 kg falls by 0.5 m into an elastic cable of 10 kN/m, whose damping ratio is that of a "
+       "restitution of 0.7. It snaps seven times, at first with 277.952 N, before it hangs."},
+      {bungee(),
+       "A jumper of 80 kg falls by 20 m, and is caught by an elastic cord of 160 N/m with a "
+       "damping "
+       "ratio of 0.05. The largest pull is 2924.64 N, at 3.26727 s; after 21.9 s the cord is "
+       "taut."},
+      {elastic_breakwater(),
+       "The breakwater on elastic cables whose damping ratio is that of its restitution, 0.9. Its "
+       "first contacts come as its impacts do, a little later: `tautline bridge` says how much."},
+      {elastic_strop(),
+       "A load of 50 kg on an elastic strop below a hook of 10 kg, whose rope does not stretch. "
+       "The "
+       "rope stops the hook by impacts until 0.322664 s, the strop the load with 2807.26 N."},
       {newtons_cradle(),
        "Five balls in a row on taut strings; the last one is pulled away. Which ball moves after "
        "that depends on the impact law: several strings take part at one instant."}};

@@ -40,7 +40,7 @@ struct Judgement {
   Expected impacts;
   double overstretch = 0.0;  // [-], in units of what a step explains
   /// [-], the largest rise outside contacts, in units of m a v step; none where something drives
-  /// the bodies.
+  /// the bodies, or where a cable is elastic, which stores energy and gives it back.
   std::optional<double> energy;
   double flight = 0.0;  // [-], of gravity: by what the acceleration in flight is off
   /// [-], by what a flight changes an angular momentum that nothing changes, at most, in units of
@@ -56,7 +56,8 @@ template <class TheCase>
 }
 
 /// Judges `run` of a case or of a system, whose `impacts` are audited, of an engine with numbers of
-/// `precision`.
+/// `precision`. Elastic cables have no impacts and no restitution, and their stretch is no fault:
+/// of them `following` alone tells.
 template <class TheReference, class TheCase>
 [[nodiscard]] Judgement judge(const BasicExpectation<TheReference>& expectation,
                               const BasicTrajectory<TheCase>& run,

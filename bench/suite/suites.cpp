@@ -63,6 +63,16 @@ std::span<const Suite> suites() {
         {"hoisted-load", "a hook and a load below a trolley"}},
        0,
        true},
+      {"elastic",
+       "cables that stretch",
+       {1e-3, 1e-4},
+       {{"snap", "seven snaps, then a mass that hangs"},
+        {"bungee", "long soft contacts under a load"},
+        {"breakwater-elastic", "two cables that snap in turn"},
+        {"hoist-elastic", "a box in space, lifted by two ropes"},
+        {"elastic-strop", "an elastic cable below an inextensible one"}},
+       0,
+       true},
   };
   return all;
 }

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "bench/solution/json/solution_json.hpp"
 #include "bench/solution/system_text.hpp"
@@ -118,6 +121,20 @@ TEST(ElasticMotion, KnowsEachNumberUpToTheHorizon) {
   EXPECT_NE(text.find("      2 "), std::string::npos) << text;
 }
 
+// what --csv and --at print of the cable is what it pulls with
+TEST(ElasticMotion, SamplesHaveTheTensionOfAStretchedCable) {
+  const CheckedMotion motion(falling_mass(), {});
+  const std::vector<SampleName> names = motion.names();
+  const auto place = std::find_if(names.begin(), names.end(), [](const SampleName& one) {
+    return one.name == "tension 0";
+  });
+  ASSERT_NE(place, names.end());
+  const ElasticContact first = motion.contacts().front().contact;
+  const Bounded tension =
+      motion.at(first.peak_time)[static_cast<std::size_t>(place - names.begin())];
+  EXPECT_NEAR(tension.value, first.peak, of_rounding * first.peak);
+}
+
 TEST(ElasticMotion, ListsItsContacts) {
   const CheckedMotion motion(falling_mass(), {});
   const std::string text = contacts_text(motion, true, {});
@@ -127,6 +144,65 @@ TEST(ElasticMotion, ListsItsContacts) {
   const CheckedMotion other(shipped_systems().front().system, {}, 0);
   EXPECT_EQ(contacts_text(other, true, {}), "");
   EXPECT_EQ(system_text(other).find("Elastic"), std::string::npos);
+}
+
+/// The number in the sentences on a shipped system, as it is written there, that `value` rounds to.
+template <class Shipped>
+void expect_said(const Shipped& one, const std::string& number, double value) {
+  EXPECT_NE(one.shows.find(number), std::string_view::npos) << one.system.name << ": " << number;
+  const std::size_t point = number.find('.');
+  const std::size_t places = point == std::string::npos ? 0 : number.size() - point - 1;
+  EXPECT_NEAR(value, std::stod(number), 0.51 * std::pow(10.0, -static_cast<double>(places)))
+      << one.system.name;
+}
+
+/// The contact of `motion` that pulls hardest.
+template <class Motion>
+ElasticContact hardest(const Motion& motion) {
+  const auto all = motion.contacts();
+  return std::max_element(
+             all.begin(), all.end(),
+             [](const auto& a, const auto& b) { return a.contact.peak < b.contact.peak; })
+      ->contact;
+}
+
+TEST(ElasticMotion, OfShippedSystemsIsWhatTheySay) {
+  std::size_t elastic = 0;
+  for (const ShippedSystem& one : shipped_systems()) {
+    if (!has_elastic_cables(one.system)) {
+      continue;
+    }
+    ++elastic;
+    const CheckedMotion motion(one.system, {}, 0);
+    const auto contacts = motion.contacts();
+    if (one.system.name == "snap") {
+      expect_said(one, "277.952", hardest(motion).peak);
+      ASSERT_EQ(contacts.size(), 8U) << "seven end";
+      EXPECT_TRUE(contacts[6].contact.exit && !contacts[7].contact.exit);
+    } else if (one.system.name == "bungee") {
+      expect_said(one, "2924.64", hardest(motion).peak);
+      expect_said(one, "3.26727", hardest(motion).peak_time);
+      expect_said(one, "21.9", contacts.back().contact.entry);
+      EXPECT_FALSE(contacts.back().contact.exit);
+    } else if (one.system.name == "elastic-strop") {
+      expect_said(one, "2807.26", hardest(motion).peak);
+      expect_said(one, "0.322664", motion.solution().accumulations().front().time);
+      EXPECT_EQ(hardest(motion).cable, 1U);
+    } else {
+      EXPECT_EQ(one.system.name, "breakwater-elastic");
+      EXPECT_GT(contacts.size(), 20U);
+    }
+  }
+  EXPECT_EQ(elastic, 4U);
+  for (const ShippedSpatialSystem& one : shipped_spatial_systems()) {
+    if (has_elastic_cables(one.system)) {
+      const BasicCheckedMotion<3> motion(one.system, {}, 0);
+      expect_said(one, "1668.97", hardest(motion).peak);
+      const auto let_go = motion.contacts().front().contact.exit;
+      ASSERT_TRUE(let_go);
+      expect_said(one, "1.2", *let_go);  // where the hoist stops
+    }
+  }
 }
 
 }  // namespace

@@ -314,8 +314,9 @@ TEST(Bench, SuiteIsOneOfThoseThereAreAndNotBesideCases) {
   }
   const Outcome unknown = program({"bench", "--suite", "swift", "--out", out + "2"});
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_NE(unknown.errors.find("--suite swift: must be quick, chapter, all, space or systems"),
-            std::string::npos)
+  EXPECT_NE(
+      unknown.errors.find("--suite swift: must be quick, chapter, all, space, systems or elastic"),
+      std::string::npos)
       << unknown.errors;
   const Outcome both = program({"bench", "bouncing-ball", "--suite", "all", "--out", out + "2"});
   EXPECT_EQ(both.code, 2);

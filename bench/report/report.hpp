@@ -307,6 +307,7 @@ struct CausesRow {
   std::optional<CauseParts> shares;         // [-], mean of each cause: they add up to 1
   std::optional<double> covered;            // [-] of the horizon, median: later is not attributed
   std::optional<double> remainder;          // [-] of the deviation, largest
+  std::optional<double> model_share;        // [-], mean, where cables are soft: of `SoftParts`
 };
 
 /// The causes that the rows of a report tell of.

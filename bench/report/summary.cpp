@@ -189,6 +189,7 @@ CausesRow causes_row(const Group<RunRow>& runs) {
   std::vector<double> deviations;
   std::array<std::vector<double>, causes.size()> shares;
   std::vector<double> covered;
+  std::vector<double> model_shares;
   double remainder = 0.0;
   for (const RunRow* run : runs) {
     if (!run->attribution || !run->attribution->parts) {
@@ -202,6 +203,10 @@ CausesRow causes_row(const Group<RunRow>& runs) {
     // of a run without any error there is nothing to share out
     for (std::size_t cause = 0; all > 0.0 && cause < causes.size(); ++cause) {
       shares[cause].push_back(std::abs((*found.parts)[cause]) / all);
+    }
+    if (found.soft) {
+      const double model = std::abs(found.soft->model);
+      model_shares.push_back(model / (model + std::abs(found.soft->step)));
     }
     deviations.push_back(found.deviation);
     covered.push_back(found.covered);
@@ -218,6 +223,9 @@ CausesRow causes_row(const Group<RunRow>& runs) {
     }
     row.covered = median(covered);
     row.remainder = remainder;
+    if (!model_shares.empty()) {
+      row.model_share = mean(model_shares);
+    }
   }
   return row;
 }

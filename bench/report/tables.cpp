@@ -403,6 +403,11 @@ Table causes_table(const Report& report) {
     columns.push_back(number_column(in_words(to_string(cause)), "", "share of the parts",
                                     std::string(to_string(cause))));
   }
+  const bool some_soft = std::ranges::any_of(
+      report.causes, [](const CausesRow& one) { return one.model_share.has_value(); });
+  if (some_soft) {
+    columns.push_back(number_column("model", "", "share of soft cables", "model_share"));
+  }
   columns.push_back(number_column("covered", "of the horizon", "", "covered"));
   columns.push_back(number_column("remainder", "", "", "remainder"));
   columns.push_back(number_column("cases", "", "", "cases"));
@@ -418,6 +423,9 @@ Table causes_table(const Report& report) {
     for (const Cause cause : told) {
       const double share = (*causes_row.shares)[static_cast<std::size_t>(cause)];
       row.cells.push_back(number_cell(share, fixed(3)));
+    }
+    if (some_soft) {
+      row.cells.push_back(number_cell(causes_row.model_share, fixed(3)));
     }
     row.cells.push_back(number_cell(causes_row.covered, fixed(2)));
     row.cells.push_back(number_cell(causes_row.remainder, as_error));

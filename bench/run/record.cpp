@@ -413,6 +413,28 @@ class TensionRecorder {
   BasicTrajectory<TheCase>& run_;
 };
 
+/// The laws of the cables of `simulation`, if they are soft.
+template <class TheCase>
+std::vector<SoftRow> soft_rows_of(const TheCase& the_case,
+                                  const BasicSimulation<TheCase>& simulation) {
+  const auto* const soft = dynamic_cast<const SoftCables*>(&simulation);
+  if (soft == nullptr) {
+    return {};
+  }
+  const auto rows = soft->soft_rows();
+  if (!rows.empty() && rows.size() != the_case.cables.size()) {
+    throw std::runtime_error("the engine gave " + std::to_string(rows.size()) + " soft rows for " +
+                             std::to_string(the_case.cables.size()) + " cables");
+  }
+  for (const SoftRow& row : rows) {
+    if (!(row.stiffness > 0.0 && std::isfinite(row.stiffness) && row.damping >= 0.0 &&
+          std::isfinite(row.damping) && row.load >= 0.0 && row.load <= 1.0)) {
+      throw std::runtime_error("the engine gave a soft row that is no spring and damper");
+    }
+  }
+  return {rows.begin(), rows.end()};
+}
+
 }  // namespace
 
 double likely_speed(const SpatialSystem& system) {
@@ -453,6 +475,7 @@ BasicTrajectory<TheCase> record(const TheCase& the_case,
   run.points.push_back({0.0, now});
   run.largest_energy = energy(the_case, now);
   run.stop = simulation.stopped();
+  run.soft_rows = soft_rows_of(the_case, simulation);
   ImpactDetector<TheCase> detector(the_case, options.slowest);
   TensionRecorder<TheCase> tensions(the_case, simulation, run);
   ContactRecorder<TheCase> contacts(the_case, simulation, run.contacts);

@@ -50,6 +50,7 @@ struct BasicTrajectory {
   /// The mean tension [N] of each cable between every point and the one before, point after point;
   /// no number at the start. Without that of located impacts. Empty: the engine tells of none.
   std::vector<double> tensions;
+  std::vector<SoftRow> soft_rows;  // of its cables, where the engine has such; else empty
   std::vector<BasicRecordedImpact<TheCase>> impacts;  // in rising time, all but the slow ones
   std::size_t slow_impacts = 0;  // the others: chatter of a cable that is as good as taut
   /// Those of elastic cables, by rising entry: entry and exit are starts of steps, the first in

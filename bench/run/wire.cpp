@@ -266,6 +266,12 @@ void pass_run(auto& numbers, auto& run) {
   for (auto& contact : trajectory.contacts) {
     pass_contact(numbers, contact);
   }
+  numbers.fit(trajectory.soft_rows, max_cables);
+  for (auto& row : trajectory.soft_rows) {
+    numbers(row.stiffness);
+    numbers(row.damping);
+    numbers(row.load);
+  }
 }
 
 /// Throws where the parts of a run do not fit each other, so that no reader looks past their ends.

@@ -61,6 +61,16 @@ std::vector<TendonLimit> limits_of(const TheCase& the_case, const RunSettings& r
   return limits;
 }
 
+/// What MuJoCo makes of `limits`: with an impedance d that is the same for all overstretches it
+/// asks for x'' = (1 - d) a - damping x' - stiffness x, so that its pull takes over d of the load.
+std::vector<SoftRow> soft_rows_of(const std::vector<TendonLimit>& limits) {
+  std::vector<SoftRow> rows;
+  for (const TendonLimit& limit : limits) {
+    rows.push_back({limit.stiffness, limit.damping, limit_impedance});
+  }
+  return rows;
+}
+
 /// A bounce takes 10 to 150 steps, and the damping stops a body in one step at most.
 std::vector<Parameter> limit_parameters() {
   return {{.name = "damping", .low = 1e-4, .high = 1.0, .logarithmic = true, .step_power = -1},
@@ -68,13 +78,14 @@ std::vector<Parameter> limit_parameters() {
 }
 
 template <class TheCase, class TheWorld>
-class TendonLimitSimulation final : public BasicSteppedSimulation<TheCase> {
+class TendonLimitSimulation final : public BasicSteppedSimulation<TheCase>, public SoftCables {
  public:
   TendonLimitSimulation(const TheCase& the_case, const RunSettings& run, Integrator integrator)
-      : world_(the_case, integrator, limits_of(the_case, run)), impulses_(the_case.cables.size()) {}
+      : TendonLimitSimulation(the_case, integrator, limits_of(the_case, run)) {}
 
   [[nodiscard]] StateOf<TheCase> state() const override { return world_.state(); }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+  [[nodiscard]] std::span<const SoftRow> soft_rows() const override { return rows_; }
 
   void step(double dt) override {
     world_.advance(dt);
@@ -84,8 +95,15 @@ class TendonLimitSimulation final : public BasicSteppedSimulation<TheCase> {
   }
 
  private:
+  TendonLimitSimulation(const TheCase& the_case, Integrator integrator,
+                        const std::vector<TendonLimit>& limits)
+      : world_(the_case, integrator, limits),
+        impulses_(the_case.cables.size()),
+        rows_(soft_rows_of(limits)) {}
+
   TheWorld world_;
   std::vector<double> impulses_;
+  std::vector<SoftRow> rows_;
 };
 
 std::vector<Setting> limit_settings() {

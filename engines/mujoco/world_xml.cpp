@@ -10,9 +10,6 @@
 namespace tautline::mujoco {
 namespace {
 
-/// MuJoCo's largest impedance (mjMAXIMP): a limit acts with this part of what it should [-].
-constexpr const char* impedance = "0.9999 0.9999 1 0.5 1";
-
 /// A point of the plane, as MuJoCo reads it.
 struct InPlane {
   Vec2 point;
@@ -59,7 +56,8 @@ void write_tendon(std::ostream& out, const std::vector<std::string>& sites, doub
   out << "<spatial";
   if (limit != nullptr) {
     out << " limited='true' range='0 " << length << "' solreflimit='" << -limit->stiffness << ' '
-        << -limit->damping << "' solimplimit='" << impedance << "'";
+        << -limit->damping << "' solimplimit='" << limit_impedance << ' ' << limit_impedance
+        << " 1 0.5 1'";
   }
   out << ">";
   for (const std::string& site : sites) {

@@ -11,6 +11,10 @@ namespace tautline::mujoco {
 /// How MuJoCo integrates; its names for it.
 enum class Integrator { euler, rk4 };
 
+/// MuJoCo's largest impedance (mjMAXIMP), the same at every overstretch: a limit acts with this
+/// part of what it should [-].
+inline constexpr double limit_impedance = 0.9999;
+
 /// A tendon's upper limit as MuJoCo models it: beyond its length it is pulled back with
 /// x'' = -stiffness x - damping x', whatever the mass, and cannot push.
 struct TendonLimit {

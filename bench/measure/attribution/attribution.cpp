@@ -14,6 +14,7 @@
 #include "bench/measure/attribution/chain.hpp"
 #include "bench/measure/attribution/scheme.hpp"
 #include "bench/measure/attribution/segments.hpp"
+#include "bench/measure/attribution/soft_motion.hpp"
 #include "bench/measure/attribution/systems.hpp"
 #include "bench/measure/impact_match.hpp"
 #include "bench/measure/reference.hpp"
@@ -134,6 +135,26 @@ OneBody farthest(const StateDifference<SpatialSystem>& d) {
     found = d.segment<3>(row).norm() > d.segment<3>(found).norm() ? row : found;
   }
   return {found, 3};
+}
+
+/// D(T) of a run with soft cables, as its model and its steps have it; none where its cables are not
+/// soft, or their motion is not found.
+template <class TheCase>
+std::optional<SoftParts> soft_parts(const TheCase& the_case, const BasicTrajectory<TheCase>& run,
+                                    const StateOf<TheCase>& there, const StateOf<TheCase>& exact,
+                                    double time) {
+  if (run.soft_rows.size() != the_case.cables.size()) {
+    return std::nullopt;
+  }
+  const auto soft = soft_motion(the_case, run.soft_rows, time);
+  const auto whole = difference(there, exact);
+  const OneBody body = farthest(whole);
+  const Eigen::VectorXd deviation = body.place(whole);
+  if (!soft || !(deviation.norm() > 0.0)) {
+    return std::nullopt;
+  }
+  const double model = deviation.normalized().dot(body.place(difference(*soft, exact)));
+  return SoftParts{model, deviation.norm() - model};
 }
 
 /// What has been summed up to T.
@@ -378,6 +399,7 @@ Attribution attributed(const TheCase& the_case, const BasicSolution<TheCase>& so
   }
   Attributor<TheCase, TheReading> attributor(the_case, solution, run, options);
   std::optional<Attribution> best;
+  std::size_t best_point = 0;
   int failures = 0;
   const std::vector<double> tried = instants(impacts, end, most_impacts<TheCase>);
   for (const double instant : tried) {
@@ -392,6 +414,7 @@ Attribution attributed(const TheCase& the_case, const BasicSolution<TheCase>& so
     const double share = sum ? amplified(*sum) : std::numeric_limits<double>::infinity();
     if (share <= little_amplified || (!best && share <= most_amplified)) {
       best = sum->result;
+      best_point = last - 1;
       failures = 0;
     } else if (++failures > most_failures) {
       break;
@@ -400,6 +423,8 @@ Attribution attributed(const TheCase& the_case, const BasicSolution<TheCase>& so
   if (!best) {
     return nothing("the deviation is amplification from the first impact on");
   }
+  best->soft = soft_parts(the_case, run, run.points[best_point].state, solution.at(best->until),
+                          best->until);
   best->covered = std::min(1.0, best->until / goal);
   if (goal - best->until > 2.0 * run.step) {
     best->reason = reason_to_end(*best, tried.back(), end, run.step, most_impacts<TheCase>);

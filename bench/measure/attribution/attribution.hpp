@@ -49,6 +49,13 @@ namespace tautline::bench {
 // the noise is no more than a tenth of all; if there is none, the first at which it is no more than
 // half.
 
+// Soft cables. Where the engine tells that its cables are springs and dampers (`SoftRow`), there is a
+// third motion, that of these springs and dampers (soft_motion.hpp), and at T
+//
+//     D = (run - soft) + (soft - exact) = step + model,
+//
+// both along D: what shorter steps would take away, and what they would leave.
+
 struct AttributionOptions {
   ImpactLaw law = ImpactLaw::simultaneous;
 
@@ -63,6 +70,12 @@ struct AttributionOptions {
 /// The noise of an engine [-]: iterations leave some 1e-10 in double; in float a hundred roundings.
 [[nodiscard]] double noise_of(std::string_view precision);
 
+/// The parts of the deviation of a run with soft cables [m], signed, along D(T).
+struct SoftParts {
+  double model = 0.0;  // springs and dampers in place of the cables of the case
+  double step = 0.0;   // what else the engine does: its steps, and what it does not tell
+};
+
 struct Attribution {
   double until = 0.0;               // [s], T
   double covered = 0.0;             // [-], T as a part of the horizon, or of a shorter exact motion
@@ -71,6 +84,7 @@ struct Attribution {
   double remainder = 0.0;           // [m], |D(T)| minus the parts
   std::size_t arcs = 0;             // flights and taut stretches up to T
   std::size_t impacts = 0;          // impact segments up to T
+  std::optional<SoftParts> soft;    // where the cables are soft, and `parts` are there
   std::string reason;               // why there are no parts, or why T is before the horizon; or ""
 };
 

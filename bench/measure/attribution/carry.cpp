@@ -30,50 +30,6 @@ StateOf<TheCase> moved_by(const StateOf<TheCase>& state, const StateDifference<T
   return with_gain(moved(state, pose), rates);
 }
 
-/// `the_case` from `state` at `time` [s] on, for `duration` [s].
-Case restarted(const Case& the_case, const State& state, double /*time*/, double duration) {
-  Case result = the_case;
-  result.initial = state;
-  result.duration = duration;
-  result.angle_limit.reset();
-  result.ceiling.reset();
-  return result;
-}
-
-/// All that is given over time begins then, too. A cable that is cut already keeps its number, and
-/// acts no more.
-SpatialSystem restarted(const SpatialSystem& system, const SpatialSystemState& state, double time,
-                        double duration) {
-  SpatialSystem result = system;
-  each_function(result, [&](auto& function) {
-    for (auto& piece : function.pieces) {
-      piece.from -= time;
-    }
-    for (auto& wave : function.waves) {
-      wave.phase += wave.frequency * time;
-    }
-  });
-  for (SpatialCable& cable : result.cables) {
-    if (cable.cut_at && *cable.cut_at <= time) {
-      cable.cut_at.reset();
-      cable.from_time = 2.0 * (duration + 1.0);
-      continue;
-    }
-    for (std::optional<double>* const instant : {&cable.from_time, &cable.cut_at}) {
-      if (*instant) {
-        **instant -= time;
-      }
-    }
-    if (cable.from_time && *cable.from_time <= 0.0) {
-      cable.from_time.reset();
-    }
-  }
-  result.initial = state;
-  result.initial.time = 0.0;
-  result.duration = duration;
-  return result;
-}
-
 /// The cables that are longer than they can be at `state`.
 template <class TheCase>
 CableSet overstretched(const TheCase& the_case, const StateOf<TheCase>& state) {
@@ -115,6 +71,47 @@ StateDifference<SpatialSystem> derivative(const SpatialSystem& /*system*/,
 }
 
 }  // namespace
+
+Case restarted(const Case& the_case, const State& state, double /*time*/, double duration) {
+  Case result = the_case;
+  result.initial = state;
+  result.duration = duration;
+  result.angle_limit.reset();
+  result.ceiling.reset();
+  return result;
+}
+
+SpatialSystem restarted(const SpatialSystem& system, const SpatialSystemState& state, double time,
+                        double duration) {
+  SpatialSystem result = system;
+  each_function(result, [&](auto& function) {
+    for (auto& piece : function.pieces) {
+      piece.from -= time;
+    }
+    for (auto& wave : function.waves) {
+      wave.phase += wave.frequency * time;
+    }
+  });
+  for (SpatialCable& cable : result.cables) {
+    if (cable.cut_at && *cable.cut_at <= time) {
+      cable.cut_at.reset();
+      cable.from_time = 2.0 * (duration + 1.0);
+      continue;
+    }
+    for (std::optional<double>* const instant : {&cable.from_time, &cable.cut_at}) {
+      if (*instant) {
+        **instant -= time;
+      }
+    }
+    if (cable.from_time && *cable.from_time <= 0.0) {
+      cable.from_time.reset();
+    }
+  }
+  result.initial = state;
+  result.initial.time = 0.0;
+  result.duration = duration;
+  return result;
+}
 
 StateDifference<Case> difference(const State& a, const State& b) {
   StateDifference<Case> result;

@@ -31,6 +31,15 @@ using StateDifference =
 [[nodiscard]] SpatialSystemState flown(const SpatialSystem& system, const SpatialSystemState& state,
                                        double time);
 
+/// `the_case` from `state` at `time` [s] on, for `duration` [s], without the limits of its
+/// validity: a neighbour may reach them sooner.
+[[nodiscard]] Case restarted(const Case& the_case, const State& state, double time,
+                             double duration);
+/// All that is given over time begins then, too. A cable that is cut already keeps its number, and
+/// acts no more.
+[[nodiscard]] SpatialSystem restarted(const SpatialSystem& system, const SpatialSystemState& state,
+                                      double time, double duration);
+
 /// A state carried to one instant T by the exact motion.
 template <class TheCase>
 class Carried {
@@ -73,7 +82,6 @@ class Carrier {
       : case_(the_case), law_(law), until_(until) {}
 
   /// From `state` at `time` [s], before T; none where the exact motion cannot start or ends early.
-  /// The limits of the case's validity are dropped: a neighbour may reach them sooner.
   [[nodiscard]] std::optional<Carried<TheCase>> carry(const StateOf<TheCase>& state,
                                                       double time) const;
 

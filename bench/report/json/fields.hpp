@@ -346,6 +346,13 @@ void fields(Visitor& visit, CausesRow& row) {
                  "the part of the horizon that is attributed, median over the cases; what happens "
                  "later has no share"));
   visit("remainder", row.remainder, "largest, as a share of its deviation");
+  visit.unless_missing("model_share", row.model_share, [](auto& inside, double& share) {
+    inside("model_share", share,
+           in_range(0, 1,
+                    "where cables are springs and dampers of the engine, what these do in place of "
+                    "the cables, of the sizes of that and of what else it does; mean over the "
+                    "cases"));
+  });
 }
 
 template <class Visitor>

@@ -280,6 +280,12 @@ void fields(Visitor& visit, Judgement& judgement) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, SoftParts& soft) {
+  visit("model", soft.model, "what springs and dampers do in place of the cables of the case");
+  visit("step", soft.step, "what else the engine does: its steps, and what it does not tell");
+}
+
+template <class Visitor>
 void fields(Visitor& visit, Attribution& attribution) {
   visit.means("where the deviation comes from; null if nothing was recorded");
   visit("until", attribution.until, "the instant of the deviation [s]");
@@ -293,6 +299,11 @@ void fields(Visitor& visit, Attribution& attribution) {
   visit("remainder", attribution.remainder, "the deviation minus its parts [m]");
   visit("arcs", attribution.arcs, "flights and taut stretches up to then");
   visit("impacts", attribution.impacts, "impact segments up to then");
+  visit.unless_missing("soft", attribution.soft, [](auto& inside, SoftParts& soft) {
+    inside("soft", soft,
+           "of an engine that tells the springs and dampers that its cables are: the deviation once "
+           "more, in two parts, signed, along it [m]");
+  });
   visit("reason", attribution.reason,
         "why there are no parts, or why the instant is before the horizon");
 }

@@ -220,6 +220,20 @@ ChildModel model_part(const Part& part) {
   return result;
 }
 
+/// Springs and dampers. What they must be is looked at where they are recorded.
+std::vector<SoftRow> soft_part(const Part& part) {
+  std::vector<SoftRow> result;
+  for (std::size_t index = 0; index < part.size(); ++index) {
+    const Part row = part[index];
+    row.has_only({"stiffness", "damping", "load"});
+    result.push_back({row.at("stiffness").number(), row.at("damping").number()});
+    if (const auto load = row.find("load")) {
+      result.back().load = load->number();
+    }
+  }
+  return result;
+}
+
 /// The dimensions of an engine's world: [2], or [2, 3].
 int dimensions_part(const Part& part) {
   constexpr const char* right = "[2] or [2, 3]";
@@ -311,7 +325,7 @@ ChildInfo info_answer(std::string_view line, int id) {
 ChildStart start_answer(std::string_view line, int id, StateForm form) {
   const Answer answer(line, id, "start");
   const Part start = answer.result();
-  start.has_only({"state", "rounding"});
+  start.has_only({"state", "rounding", "soft"});
   ChildStart result;
   result.state = state_part(start.at("state"), form);
   if (const auto rounding = start.find("rounding")) {
@@ -322,6 +336,9 @@ ChildStart start_answer(std::string_view line, int id, StateForm form) {
         rounding->at(key).refuse("above 0 and below 1");
       }
     }
+  }
+  if (const auto soft = start.find("soft")) {
+    result.soft = soft_part(*soft);
   }
   return result;
 }

@@ -49,7 +49,7 @@ SpatialSystemState state_of(const SpatialSystem& system, const double* row, doub
 }
 
 template <class TheCase>
-class BySteps : public BasicSimulation<TheCase> {
+class BySteps : public BasicSimulation<TheCase>, public SoftCables {
  public:
   BySteps(Children& children, const TheCase& the_case, const ChildModel& model,
           const RunSettings& settings)
@@ -58,13 +58,15 @@ class BySteps : public BasicSimulation<TheCase> {
         model_(model),
         settings_(settings),
         usual_left_(step_count(the_case.duration, settings.step) - 1),
-        row_(child_->start(the_case, model, settings).state),
+        start_(child_->start(the_case, model, settings)),
+        row_(start_.state),
         state_(state_of(the_case, row_.data(), 0.0)),
         impulses_(the_case.cables.size()) {}
 
   [[nodiscard]] StateOf<TheCase> state() const override { return state_; }
   [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
   [[nodiscard]] std::optional<StopOfRun> stopped() const override { return stop_; }
+  [[nodiscard]] std::span<const SoftRow> soft_rows() const override { return start_.soft; }
 
   void step(double dt) override {
     if (stop_) {
@@ -139,6 +141,7 @@ class BySteps : public BasicSimulation<TheCase> {
   ChildSteps ahead_;
   std::size_t next_ = 0;  // of `ahead_`
   Clock clock_;
+  ChildStart start_;
   std::vector<double> row_;  // the numbers of the state
   StateOf<TheCase> state_;
   std::vector<double> impulses_;

@@ -62,6 +62,7 @@ struct StateForm {
 struct ChildStart {
   std::vector<double> state;
   std::optional<EventAdapter::Rounding> rounding;  // none where it is that of its precision
+  std::vector<SoftRow> soft;  // of each cable; empty where they are no springs and dampers
 };
 
 /// The answer to `step`.

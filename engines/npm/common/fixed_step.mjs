@@ -8,7 +8,8 @@
 //   pulls(dt)               of an engine that tells: the impulses [N s] of its cables over the latest step
 //   free()                  of an engine on WebAssembly's heap
 //
-// `engine` is {world(case, options), precision, flight}; `flight` is described in flight.mjs. An engine that runs systems in space
+// `engine` is {world(case, options), precision, flight}; `flight` is described in flight.mjs. One whose limits are springs has
+// soft(case, options), these as the protocol has them. An engine that runs systems in space
 // has bodies of these, too, as space.mjs says.
 
 import { restitution } from "../../protocol/javascript/cable.mjs";
@@ -35,6 +36,7 @@ function run(engine, theCase, options, step) {
   world.place(initial);
   let now = world.state(); // to read it costs some engines as much as to step
   return {
+    soft: engine.soft?.(theCase, options),
     state: () => kind.numbers(now),
     step(dt) {
       kind.checkCaps(engine, theCase, now, dt);

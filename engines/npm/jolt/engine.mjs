@@ -2,8 +2,9 @@
 // no restitution.
 
 import { serve, Unsupported } from "../../protocol/javascript/engine.mjs";
-import { bounceModel, eventModel, limitModel, rowModels, setting, tunable, turnableInertia, turnableMoments, unwrap } from "../common/models.mjs";
+import { atOneSpeed, bounceModel, eventModel, limitModel, rowModels, setting, tunable, turnableInertia, turnableMoments, unwrap } from "../common/models.mjs";
 import { actsAt, checkStraight, endAt, lengthAt, pairsOf } from "../common/space.mjs";
+import { softRow, springFor } from "../common/spring.mjs";
 import { installedVersion } from "../common/version.mjs";
 
 const J = await (await import("jolt-physics/wasm-compat")).default();
@@ -15,6 +16,10 @@ const engine = {
   world,
   system,
   gyroscopicTerm: true,
+  soft: ({ cables }, options) => {
+    const springs = cables.map((cable) => springOf(cable, options));
+    return options.limit && springs.every(({ frequency }) => frequency > 0) ? springs.map(({ frequency, damping }) => softRow({ frequency: 2 * Math.PI * frequency, ratio: damping })) : undefined;
+  },
   inSpace: [
     setting("mAllowedDOFs", "All", "Bodies of a system move in space."),
     setting("mApplyGyroscopicForce", true, "As shipped Jolt leaves the gyroscopic term out: a box keeps its spin and does not turn over."),
@@ -26,6 +31,19 @@ const shippedDamping = 0.05;
 
 /** Instead of 500 m/s and 47.1 rad/s, to which Jolt cuts a body's velocity. */
 const largestSpeed = 1e6;
+
+/** A bounce on the spring of a limit, without damping, lasts this many steps. */
+const bounce = 45;
+
+/**
+ * The spring of the limit of a cable: frequency [Hz], 0 where it is stiff, and damping ratio. For the restitution where the model has one;
+ * `tuned` is less the damping that Jolt's implicit method of Euler adds.
+ */
+function springOf({ restitution }, { spring, step, parameters = {} }) {
+  if (!spring) return { frequency: 0, damping: 0, ...parameters };
+  const { frequency, ratio } = springFor(restitution, step, { bounce, numerical: spring === "tuned" ? 0.5 : 0 });
+  return { frequency: frequency / (2 * Math.PI), damping: ratio };
+}
 
 /** Uses what Jolt copies, and gives it back. */
 function lent(object, use) {
@@ -77,20 +95,20 @@ function createLimit(system, bodies, points, length, { frequency, damping }) {
     lent(new J.RVec3(...points[1]), (point) => (settings.mPoint2 = point));
     settings.mMinDistance = 0;
     settings.mMaxDistance = length;
-    if (frequency !== undefined) settings.mLimitsSpringSettings.mFrequency = frequency;
-    if (damping !== undefined) settings.mLimitsSpringSettings.mDamping = damping;
+    settings.mLimitsSpringSettings.mFrequency = frequency;
+    settings.mLimitsSpringSettings.mDamping = damping;
     const limit = settings.Create(...bodies);
     system.AddConstraint(limit);
     return J.castObject(limit, J.DistanceConstraint);
   });
 }
 
-function world({ gravity, body: mass, cables }, { limit, defaults, parameters = {} }) {
+function world({ gravity, body: mass, cables }, { limit, defaults, ...run }) {
   const jolt = createJolt(), system = jolt.GetPhysicsSystem(), bodies = system.GetBodyInterface();
   lent(new J.Vec3(...gravity, 0), (g) => system.SetGravity(g));
   const body = createBody(bodies, mass, defaults), id = body.GetID();
   // GetTotalLambdaPosition is not always what has acted: the impulses are read from the velocities
-  if (limit) cables.forEach(({ anchor, attachment, length }) => createLimit(system, [J.Body.prototype.sFixedToWorld, body], [[...anchor, 0], [...attachment, 0]], length, parameters));
+  if (limit) cables.forEach((cable) => createLimit(system, [J.Body.prototype.sFixedToWorld, body], [[...cable.anchor, 0], [...cable.attachment, 0]], cable.length, springOf(cable, run)));
   const v = new J.Vec3(0, 0, 0), w = new J.Vec3(0, 0, 0), r = new J.RVec3(0, 0, 0), q = new J.Quat(0, 0, 0, 1);
   let angle = 0;
   return {
@@ -139,12 +157,12 @@ function createHook(bodies, at) {
   return body;
 }
 
-function system(theSystem, { limit, defaults, parameters = {} }) {
+function system(theSystem, { limit, defaults, ...run }) {
   if (limit) checkStraight(theSystem, "Jolt's distance constraint", Unsupported);
   const jolt = createJolt(), physics = jolt.GetPhysicsSystem(), bodies = physics.GetBodyInterface();
   const moving = theSystem.bodies.map((body) => createBody(bodies, body, defaults, true));
   const ends = limit ? pairsOf(theSystem, moving, J.Body.prototype.sFixedToWorld, (at) => createHook(bodies, at)) : [];
-  const limits = ends.map(({ cable, ends: pair }) => createLimit(physics, pair.map(({ body }) => body), pair.map(({ at }) => at), lengthAt(cable, 0), parameters));
+  const limits = ends.map(({ cable, ends: pair }) => createLimit(physics, pair.map(({ body }) => body), pair.map(({ at }) => at), lengthAt(cable, 0), springOf(cable, run)));
   const v = new J.Vec3(0, 0, 0), w = new J.Vec3(0, 0, 0), r = new J.RVec3(0, 0, 0), q = new J.Quat(0, 0, 0, 1), level = new J.Quat(0, 0, 0, 1);
   const numbers = (vector) => [vector.GetX(), vector.GetY(), vector.GetZ()]; // of a temporary that all getters share
   return {
@@ -196,6 +214,10 @@ const settings = [
 ];
 const range = setting("mMinDistance, mMaxDistance", "0, the cable's length", "As shipped the constraint is a rod.");
 
+const springs = (ratio) => [range,
+  setting("mLimitsSpringSettings.mFrequency", `1 / (${2 * bounce} step)`, `Without damping a bounce lasts ${bounce} steps.`),
+  setting("mLimitsSpringSettings.mDamping", ratio, "A spring and a damper have a restitution; the constraint has none.")];
+
 const ends = [setting("MoveKinematic, SetDistance, SetEnabled", "where ends that move go, how long cables are, and which act, at the end of a step", "Jolt knows no function of time.")];
 const asShipped = [setting("mApplyGyroscopicForce", false, "As shipped: the box keeps its spin.", "engine_default")];
 
@@ -209,6 +231,8 @@ serve({
       "settings.mLimitsSpringSettings.mFrequency = {frequency}; settings.mLimitsSpringSettings.mDamping = {damping};",
       [{ name: "damping", low: 0, high: 1 }, { name: "frequency", low: 0.0033, high: 0.05, scale: "log", step_power: -1 }]),
     limitModel({ ...engine, gyroscopicTerm: false }, "distance-defaults", "The same constraint on a body that is damped and put to sleep as Jolt ships it.", [...shipped, range], { defaults: true, left: (dt) => [1 - shippedDamping * dt, 1 - shippedDamping * dt], inSpace: [...asShipped, ...ends] }),
+    atOneSpeed(limitModel(engine, "limit-spring", "The same constraint with a spring and a damper whose bounce would have the cable's restitution, by its closed form.", [...settings, ...springs("the ratio of the restitution e = exp(-2 ratio acos(ratio) / sqrt(1 - ratio^2))")], { spring: "closed form", inSpace: ends }), "a limit of Jolt has one spring"),
+    atOneSpeed(limitModel(engine, "limit-spring-tuned", "The same less the damping that Jolt's own steps add.", [...settings, ...springs("that ratio less pi mFrequency step, what the implicit method of Euler adds; 0 at least")], { spring: "tuned", inSpace: ends }), "a limit of Jolt has one spring"),
     bounceModel(engine, "distance-bounce", "The same constraint, undamped, and after a step in which it pulled an impulse that gives the cable's restitution.", [...settings, range], { inSpace: ends }),
     ...rowModels(engine, settings),
     eventModel(engine, settings),

@@ -5,7 +5,7 @@ import { serve } from "../../protocol/javascript/engine.mjs";
 import { atOneSpeed, eventModel, limitModel, rowModels, setting, tunable, turnableInertia, turnableMoments } from "../common/models.mjs";
 import { actsAt, endAt, isGiven, lengthAt } from "../common/space.mjs";
 import { bodiesOf, rotated, rotatedBack } from "../../protocol/javascript/space.mjs";
-import { springFor } from "./spring.mjs";
+import { softRow, springFor } from "../common/spring.mjs";
 
 const M = await (await import("@mujoco/mujoco")).default();
 
@@ -24,14 +24,18 @@ const engine = {
 const largestSpeed = 1e10;
 engine.flight.speed = largestSpeed;
 
-/** The constraint's impedance: as near to 1 as MuJoCo lets it. */
-const impedance = "0.9999 0.9999 1 0.5 1";
+/** The constraint's impedance: as near to 1 as MuJoCo lets it, so that the limit takes over this part of the load [-]. */
+const fullImpedance = 0.9999, impedance = `${fullImpedance} ${fullImpedance} 1 0.5 1`;
 
-function limitOf({ length, restitution }, limit, step, parameters) {
+/** The spring of a tuned limit, whose bounce lasts 20 steps, or the one that a run sets. */
+const springOf = ({ restitution }, { step, parameters }) => ({ ...softRow(springFor(restitution, step, { bounce: 20 })), ...parameters });
+engine.soft = ({ cables }, { limit, ...run }) => (limit === "tuned" ? cables.map((cable) => ({ ...springOf(cable, run), load: fullImpedance })) : undefined);
+
+function limitOf(cable, limit, step, parameters) {
   if (!limit) return "";
-  const range = `limited="true" range="0 ${length}"`;
+  const range = `limited="true" range="0 ${cable.length}"`;
   if (limit === "defaults") return range;
-  const { stiffness, damping } = { ...springFor(restitution, step), ...parameters };
+  const { stiffness, damping } = springOf(cable, { step, parameters });
   return `${range} solreflimit="${-stiffness} ${-damping}" solimplimit="${impedance}"`;
 }
 

@@ -54,8 +54,8 @@ function spelled(value) {
  * Serves `engine`: {name, version, precision, models}, and `dimensions` where it runs systems in space. A model is what
  * `info` says of it, and start(case, {step, law, parameters}), which returns a run: state(); step(dt), which returns
  * the impulse of each cable; or for a model driven by events fly(dt), place(state), in space place(state, time),
- * solve(cables, rates), which returns impulses, and `rounding`. A run may have `stopped`, {time, reason}, and free(),
- * called once it is done.
+ * solve(cables, rates), which returns impulses, and `rounding`. A run may have `stopped`, {time, reason}, `soft`, the
+ * springs of its cables, and free(), called once it is done.
  */
 export function serve({ models, ...engine }) {
   let run;
@@ -67,7 +67,7 @@ export function serve({ models, ...engine }) {
       const found = models.find(({ name }) => name === model);
       if (!found) throw new Unsupported(`no model "${model}"; there are ${models.map(({ name }) => name).join(", ")}`);
       run = found.start(the_case, { step, law, parameters });
-      return { state: run.state(), rounding: run.rounding };
+      return { state: run.state(), rounding: run.rounding, soft: run.soft };
     },
     step({ dt, count }) {
       const steps = [];

@@ -64,8 +64,8 @@ def _answer(engine, models, runs, method, params):
         runs.clear()
         model = {model.info["name"]: model for model in models}[params["model"]]
         runs.append(model(*(params[key] for key in ("case", "step", "law", "parameters") if key in params)))
-        rounding = {"rounding": runs[0].rounding} if hasattr(runs[0], "rounding") else {}
-        return {"state": runs[0].state(), **rounding}
+        told = {key: getattr(runs[0], key) for key in ("rounding", "soft") if hasattr(runs[0], key)}
+        return {"state": runs[0].state(), **told}
     run, steps = runs[0], []  # empty before "start"
     if method != "step":
         result = getattr(run, method)(**params)
@@ -82,7 +82,7 @@ def serve(models, **engine):
     """Serves an engine {name, version, precision} of `models`: classes with the `info` of the protocol, and objects,
     Model(case, step, law) or, where a run sets some, Model(case, step, law, parameters), that are runs. A run has state()
     and step(dt), which returns the impulse of each cable; or fly(dt), place(state) (place(state, time) in space) and
-    solve(cables, rates), which returns impulses, and `rounding` where numbers are no float64. It may set `stopped`."""
+    solve(cables, rates), which returns impulses, and `rounding` where numbers are no float64. It may set `stopped`, and have `soft`."""
     protocol, sys.stdout = os.fdopen(os.dup(1), "w", encoding="utf-8"), sys.stderr
     os.dup2(2, 1)  # standard output is the protocol's, whatever a library prints
     runs = []

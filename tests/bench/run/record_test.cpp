@@ -141,6 +141,37 @@ TEST(Record, TensionsAreMeansBetweenPoints) {
   EXPECT_NE(csv.find(",,0.5\n"), std::string::npos) << csv;
 }
 
+/// The same, whose cables are springs and dampers.
+class ScriptedSoft final : public SoftCables, public Simulation {
+ public:
+  ScriptedSoft(const Case& the_case, std::vector<SoftRow> rows)
+      : inner_(the_case, [](Scripted&, int, double) {}), rows_(std::move(rows)) {}
+  [[nodiscard]] State state() const override { return inner_.state(); }
+  [[nodiscard]] std::span<const double> impulses() const override { return inner_.impulses(); }
+  [[nodiscard]] std::span<const SoftRow> soft_rows() const override { return rows_; }
+  void step(double dt) override { inner_.step(dt); }
+
+ private:
+  Scripted inner_;
+  std::vector<SoftRow> rows_;
+};
+
+TEST(Record, SoftRowsAreThoseOfTheCables) {
+  const auto recorded = [](const std::vector<SoftRow>& rows) {
+    ScriptedSoft simulation(plumb(), rows);
+    return record(plumb(), simulation, 0.125).soft_rows;
+  };
+  EXPECT_TRUE(recorded({}).empty());
+  ASSERT_EQ(recorded({{4.0, 0.5, 0.25}}).size(), 1U);
+  EXPECT_EQ(recorded({{4.0, 0.5, 0.25}})[0].stiffness, 4.0);
+  const double nothing = std::nan("");
+  for (const std::vector<SoftRow>& wrong :
+       {std::vector<SoftRow>{{4.0, 0.0}, {4.0, 0.0}}, {{0.0, 0.5}}, {{4.0, -0.5}}, {{nothing, 0.5}},
+        {{4.0, nothing}}, {{4.0, 0.5, 1.5}}, {{4.0, 0.5, -0.5}}}) {
+    EXPECT_THROW(recorded(wrong), std::runtime_error) << wrong[0].stiffness << wrong[0].damping;
+  }
+}
+
 // as every plug-in does that is older than TensionImpulses
 TEST(Record, ASimulationThatTellsNoTensionsHasNone) {
   Scripted simulation(plumb(), [](Scripted& s, int, double dt) { s.pulls[0] = dt; });

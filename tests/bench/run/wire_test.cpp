@@ -226,6 +226,17 @@ TEST(Wire, ARunWhosePartsDoNotFitEachOtherIsAFailure) {
   run.trajectory.tensions.push_back(5.0);
   EXPECT_TRUE(is_refused(run)) << "tensions of half a point";
   run.trajectory.tensions.clear();
+  run.trajectory.soft_rows.resize(max_cables + 1);
+  EXPECT_TRUE(is_refused(run)) << "soft rows of more cables than a case has";
+  run.trajectory.soft_rows = {{4.0, 0.5, 0.25}};
+  const auto answer = answer_from(to_bytes(run)).value();
+  ASSERT_TRUE(std::holds_alternative<RunAnswer>(answer));
+  const std::vector<SoftRow>& rows = std::get<RunAnswer>(answer).trajectory.soft_rows;
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].stiffness, 4.0);
+  EXPECT_EQ(rows[0].damping, 0.5);
+  EXPECT_EQ(rows[0].load, 0.25);
+  run.trajectory.tensions.clear();
   run.trajectory.impacts[0].cable = max_cables;
   EXPECT_TRUE(is_refused(run)) << "an impact of a cable that no case has";
 }

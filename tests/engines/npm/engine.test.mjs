@@ -119,6 +119,43 @@ test("rebounds otherwise with another value of each parameter", async () => {
   }
 });
 
+/** What the steps of an engine add to the damping ratio of a spring, in units of its frequency times the step [-]. */
+const dampingOfSteps = { jolt: 0.5, mujoco3: 0 };
+
+/** Restitution, duration and peak of a contact of a spring without a load, the last two in units of its frequency: (E5), (E6) and (E8). */
+function contactOf(ratio) {
+  const root = Math.sqrt(1 - ratio ** 2), phase = 2 * Math.acos(ratio) / root;
+  return { restitution: Math.exp(-ratio * phase), phase, peak: Math.exp(-ratio * (Math.PI / 2 - 3 * Math.asin(ratio)) / root) };
+}
+
+test("bounces as the spring that it tells of, damped by its steps, too", async () => {
+  const frequency = 70, ratio = 0.1, same = 0.02; // 45 steps of 1 ms in a contact
+  for (const { name: model, parameters = [] } of info.models) {
+    const [damping, of] = parameters.map((parameter) => parameter.name).sort();
+    const told = { frequency: { frequency: frequency / (2 * Math.PI), damping: ratio }, stiffness: { stiffness: frequency ** 2, damping: 2 * ratio * frequency } }[of];
+    if (damping !== "damping" || !told) continue;
+    for (const step of [1e-3, 2e-4]) {
+      const theCase = { name: "pull", duration: 1, gravity: [0, 0], body: { mass: 2, inertia: 0.01 }, cables: [{ anchor: [0, 0], attachment: [0, 0], length: 1, restitution: 0.5 }],
+        initial: { position: [0.9, 0], angle: 0, velocity: [1, 0], spin: 0 } };
+      const [row, ...others] = (await start(model, step, theCase, told)).soft;
+      assert.equal(others.length, 0);
+      assert.ok(Math.abs(row.stiffness / frequency ** 2 - 1) < 1e-9 && Math.abs(row.damping / (2 * ratio * frequency) - 1) < 1e-9, `${model} tells ${JSON.stringify(row)}`);
+      const found = { restitution: 0, phase: 0, peak: 0 };
+      await run(model, step, 0.2, (time, before, now, [impulse]) => {
+        if (impulse > 0) found.phase += frequency * step;
+        found.peak = Math.max(found.peak, impulse / step / (theCase.body.mass * frequency));
+        found.restitution = -now[3];
+      }, told, theCase);
+      const wanted = contactOf(ratio + dampingOfSteps[name] * frequency * step);
+      for (const key of Object.keys(wanted)) {
+        // a duration is a whole number of steps
+        const allowed = same * wanted[key] + (key === "phase" ? frequency * step : 0);
+        assert.ok(Math.abs(found[key] - wanted[key]) <= allowed, `${model} at ${step}: ${key} ${found[key]}, of the spring ${wanted[key]}`);
+      }
+    }
+  }
+});
+
 test("flies the parabola, and solves an impact, as exactly as its numbers let it", async () => {
   const rounding = info.precision === "float64" ? 1e-14 : 1e-6;
   for (const dt of [1e-2, 1e-3, 1e-6]) {

@@ -170,6 +170,32 @@ class TensionImpulses {
   [[nodiscard]] virtual std::span<const double> tension_impulses() const = 0;
 };
 
+/// A cable that is a spring and a damper of its engine, weighed with what it pulls at. While it is
+/// longer than it should be, by s > 0 [m], it pulls with
+///
+///     T = max(0, (load a + damping s' + stiffness s) / G)
+///
+/// with its response G to an impulse of its own, 1/m of a point mass (B6), and the s'' that the
+/// forces and all other cables give without it, a.
+struct SoftRow {
+  double stiffness;   // [1/s^2]: k of a spring over m
+  double damping;     // [1/s]: c of a damper over m
+  double load = 0.0;  // [-], the part of a that it takes over: 0 of a spring, 1 of a rigid row
+};
+
+/// What a simulation derives from, too, if its cables are such; as `TensionImpulses` it is asked
+/// for by dynamic_cast. Reports then tell the error of the model from that of the steps.
+class SoftCables {
+ public:
+  SoftCables() = default;
+  SoftCables(const SoftCables&) = delete;
+  SoftCables& operator=(const SoftCables&) = delete;
+  virtual ~SoftCables() = default;
+
+  /// One for each cable of the case; empty: they are not soft in this run.
+  [[nodiscard]] virtual std::span<const SoftRow> soft_rows() const = 0;
+};
+
 /// A simulation with fixed steps, whose `impulses` are of all that its cables pull in a step.
 template <class TheCase>
 class BasicSteppedSimulation : public BasicSimulation<TheCase>, public TensionImpulses {

@@ -87,7 +87,7 @@ BasicSystem<Real, D> calmed(BasicSystem<Real, D> system, const BasicSystemState<
     body.spin_drag = 2 * moments(body.inertia).maxCoeff() * rate;
   }
   for (auto& cable : system.cables) {
-    cable.restitution = Real(cable.elasticity ? 1 : 0);
+    cable.restitution = Real(cable.elasticity ? 1 : 0);  // an elastic one has none
     cable.restitution_table.clear();
     cable.from_time.reset();
     cable.cut_at.reset();

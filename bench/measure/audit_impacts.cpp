@@ -165,7 +165,8 @@ std::vector<AuditedImpact> audited_impacts(const TheReference& reference,
   for (std::size_t index = 0; index < run.impacts.size(); ++index) {
     BasicRecordedImpact<TheCase> recorded = run.impacts[index];
     const bool stuck = sticks(the_case, recorded) && stopped_alone(run, index);
-    if (has_a_law(the_case, recorded.cable) || recorded.time > end || !(stuck || alone(run, index))) {
+    if (has_a_law(the_case, recorded.cable) || recorded.time > end ||
+        !(stuck || alone(run, index))) {
       continue;
     }
     if (stuck) {  // of its first step alone

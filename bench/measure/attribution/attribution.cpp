@@ -137,8 +137,8 @@ OneBody farthest(const StateDifference<SpatialSystem>& d) {
   return {found, 3};
 }
 
-/// D(T) of a run with soft cables, as its model and its steps have it; none where its cables are not
-/// soft, or their motion is not found.
+/// D(T) of a run with soft cables, as its model and its steps have it; none where its cables are
+/// not soft, or their motion is not found.
 template <class TheCase>
 std::optional<SoftParts> soft_parts(const TheCase& the_case, const BasicTrajectory<TheCase>& run,
                                     const StateOf<TheCase>& there, const StateOf<TheCase>& exact,

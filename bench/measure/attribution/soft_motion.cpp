@@ -36,9 +36,6 @@ RowOf<SpatialSystem> by_forces(const SpatialSystem& system, const SpatialSystemS
   return free_accelerations(system, state);
 }
 
-
-
-
 template <class TheCase>
 class SoftMotion {
  public:
@@ -120,8 +117,8 @@ class SoftMotion {
     return pulled(flown(case_, pulled(state, 0.5 * dt), dt), 0.5 * dt);
   }
 
-  /// `state` after what the stretched cables pull in `dt` [s], all of it at this pose. The rate of a
-  /// damper is that of the middle.
+  /// `state` after what the stretched cables pull in `dt` [s], all of it at this pose. The rate of
+  /// a damper is that of the middle.
   [[nodiscard]] State pulled(const State& state, double dt) const {
     const CableSet cables = stretched(state);
     if (cables.empty()) {

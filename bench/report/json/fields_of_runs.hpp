@@ -300,9 +300,10 @@ void fields(Visitor& visit, Attribution& attribution) {
   visit("arcs", attribution.arcs, "flights and taut stretches up to then");
   visit("impacts", attribution.impacts, "impact segments up to then");
   visit.unless_missing("soft", attribution.soft, [](auto& inside, SoftParts& soft) {
-    inside("soft", soft,
-           "of an engine that tells the springs and dampers that its cables are: the deviation once "
-           "more, in two parts, signed, along it [m]");
+    inside(
+        "soft", soft,
+        "of an engine that tells the springs and dampers that its cables are: the deviation once "
+        "more, in two parts, signed, along it [m]");
   });
   visit("reason", attribution.reason,
         "why there are no parts, or why the instant is before the horizon");

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -7,6 +8,7 @@
 #include "system/elastic_systems.hpp"
 #include "tautline/elastic_contacts.hpp"
 #include "tautline/solve.hpp"
+#include "tautline/system_geometry.hpp"
 #include "tautline/system_settling.hpp"
 
 namespace tautline::test {
@@ -90,6 +92,36 @@ TEST(SystemSettlingOf, ARestIsCertain) {
   EXPECT_EQ(result.lock->residual_energy, 0.0);
   ASSERT_TRUE(result.last_impacts[0].time);
   EXPECT_NEAR(*result.last_impacts[0].time, 2.96875, 1e-12);
+}
+
+/// The equilibrium of a pendulum that a spring pulls aside is where its potential energy is least.
+TEST(SystemSettlingOf, SpringsTakePartInTheEquilibrium) {
+  constexpr double k = 5.0;            // [N/m]
+  constexpr double unstretched = 0.3;  // [m]
+  const Vec2 anchor(0.8, -1.0);
+  System system = pendulum(0.1, 0.2);
+  CableOfSystem spring = to_world<double>(0, {0.0, 0.0}, anchor, unstretched, 1.0);
+  spring.elasticity.emplace().stiffness = {k};
+  system.cables.push_back(spring);
+  const auto potential = [&](double angle) {
+    const Vec2 place(std::sin(angle), -std::cos(angle));
+    const double stretch = std::max(0.0, (place - anchor).norm() - unstretched);
+    return place.y() + 0.5 * k * stretch * stretch;
+  };
+  double low = 0.0;  // [rad], around the least energy
+  double high = 0.8;
+  while (high - low > 1e-9) {
+    const double part = (high - low) / 3.0;
+    const bool rises = potential(low + part) > potential(high - part);
+    (rises ? low : high) += rises ? part : -part;
+  }
+  const auto solution = solve(system);
+  const SystemSettling result = settling(system, solution);
+  ASSERT_TRUE(result.lock);
+  ASSERT_TRUE(result.lock->residual_energy);
+  const double left = energy(system, solution.at(system.duration)) - potential(low);
+  EXPECT_GT(left, 1e-6);
+  EXPECT_NEAR(*result.lock->residual_energy, left, 1e-9);
 }
 
 TEST(SystemSettlingOf, ACableIsTautForTheTimeUntilItIsCut) {

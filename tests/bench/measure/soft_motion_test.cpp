@@ -94,8 +94,7 @@ TEST(SoftMotion, AgreesWithTheElasticCableOfAPointMass) {
   const auto in_the_plane = soft_motion(the_case, rows, until);
   ASSERT_TRUE(in_space && in_the_plane);
   system.cables[0].restitution = SpatialCable().restitution;
-  system.cables[0].elasticity =
-      Elasticity{{system.bodies[0].mass * rows[0].stiffness}, 0.0, ratio};
+  system.cables[0].elasticity = Elasticity{{system.bodies[0].mass * rows[0].stiffness}, 0.0, ratio};
   system.duration = until;
   const double exact = solve(system).at(until).bodies[0].position.y();
   EXPECT_NEAR(in_the_plane->position.y(), exact, 1e-5);  // of contacts that are 1e-2 deep
@@ -157,8 +156,8 @@ class SpringSteps final : public Simulation, public SoftCables {
     const double pull =
         rows_[0].stiffness * stretch - rows_[0].damping * gap_rate(cable, now_);  // over the mass
     impulses_[0] = stretch > 0.0 ? case_.body.mass * dt * std::max(0.0, pull) : 0.0;
-    now_.velocity += dt * case_.gravity +
-                     impulses_[0] / case_.body.mass * gap_gradient(cable, now_).head<2>();
+    now_.velocity +=
+        dt * case_.gravity + impulses_[0] / case_.body.mass * gap_gradient(cable, now_).head<2>();
     now_.position += dt * now_.velocity;
   }
 

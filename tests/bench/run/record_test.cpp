@@ -165,9 +165,13 @@ TEST(Record, SoftRowsAreThoseOfTheCables) {
   ASSERT_EQ(recorded({{4.0, 0.5, 0.25}}).size(), 1U);
   EXPECT_EQ(recorded({{4.0, 0.5, 0.25}})[0].stiffness, 4.0);
   const double nothing = std::nan("");
-  for (const std::vector<SoftRow>& wrong :
-       {std::vector<SoftRow>{{4.0, 0.0}, {4.0, 0.0}}, {{0.0, 0.5}}, {{4.0, -0.5}}, {{nothing, 0.5}},
-        {{4.0, nothing}}, {{4.0, 0.5, 1.5}}, {{4.0, 0.5, -0.5}}}) {
+  for (const std::vector<SoftRow>& wrong : {std::vector<SoftRow>{{4.0, 0.0}, {4.0, 0.0}},
+                                            {{0.0, 0.5}},
+                                            {{4.0, -0.5}},
+                                            {{nothing, 0.5}},
+                                            {{4.0, nothing}},
+                                            {{4.0, 0.5, 1.5}},
+                                            {{4.0, 0.5, -0.5}}}) {
     EXPECT_THROW(recorded(wrong), std::runtime_error) << wrong[0].stiffness << wrong[0].damping;
   }
 }

@@ -125,9 +125,8 @@ TEST(ElasticMotion, KnowsEachNumberUpToTheHorizon) {
 TEST(ElasticMotion, SamplesHaveTheTensionOfAStretchedCable) {
   const CheckedMotion motion(falling_mass(), {});
   const std::vector<SampleName> names = motion.names();
-  const auto place = std::find_if(names.begin(), names.end(), [](const SampleName& one) {
-    return one.name == "tension 0";
-  });
+  const auto place = std::find_if(names.begin(), names.end(),
+                                  [](const SampleName& one) { return one.name == "tension 0"; });
   ASSERT_NE(place, names.end());
   const ElasticContact first = motion.contacts().front().contact;
   const Bounded tension =

@@ -76,9 +76,9 @@ TEST_F(Mujoco, TendonLimitsReboundWithNearlyTheirRestitution) {
   expect_within("RK4", restitution_error(engine(), "tendon-limit-rk4"), 0.02);
 }
 
-constexpr double soft_frequency = 50.0;  // [1/s]: a contact lasts 60 steps of 1 ms
-constexpr double soft_ratio = 0.1;       // [-]
-constexpr double soft_speed = 0.5;       // [m/s], at the entry
+constexpr double soft_frequency = 50.0;                  // [1/s]: a contact lasts 60 steps of 1 ms
+constexpr double soft_ratio = 0.1;                       // [-]
+constexpr double soft_speed = 0.5;                       // [m/s], at the entry
 constexpr std::array soft_steps = {1e-3, 5e-4, 2.5e-4};  // [s]
 
 /// A run with the same spring and damper at every step.
@@ -153,14 +153,12 @@ TEST_F(Mujoco, TendonLimitsFollowTheirRowLawToFirstOrder) {
 // (E6) and (E8) of analytic/README.md: no load, so that the row is an elastic cable
 TEST_F(Mujoco, TendonLimitsBounceAsTheClosedFormsSay) {
   const double root = std::sqrt(1.0 - soft_ratio * soft_ratio);
-  const double part =
-      std::exp(-soft_ratio * (std::acos(0.0) - 3.0 * std::asin(soft_ratio)) / root);
+  const double part = std::exp(-soft_ratio * (std::acos(0.0) - 3.0 * std::asin(soft_ratio)) / root);
   const auto bounce = [&](const Case& one, double dt) {
     const auto simulation = start_soft(engine(), one, "tendon-limit", dt);
     double peak = 0.0;
-    run(*simulation, dt, one.duration, [&](const Moment&) {
-      peak = std::max(peak, simulation->impulses()[0] / dt);
-    });
+    run(*simulation, dt, one.duration,
+        [&](const Moment&) { peak = std::max(peak, simulation->impulses()[0] / dt); });
     const double e = simulation->state().velocity.y() / soft_speed;
     const double exact_peak = one.body.mass * soft_speed * soft_frequency * part;
     return std::abs(e - restitution_of(soft_ratio)) + std::abs(peak / exact_peak - 1.0);
@@ -169,7 +167,8 @@ TEST_F(Mujoco, TendonLimitsBounceAsTheClosedFormsSay) {
   expect_first_order("restitution and peak", into_the_cable(0.0), 0.01, bounce);
 }
 
-// a spring of this frequency sags by g / w^2 = 4 mm, the limit by the part that it leaves of the load
+// a spring of this frequency sags by g / w^2 = 4 mm, the limit by the part that it leaves of the
+// load
 TEST_F(Mujoco, ATendonLimitTakesOverTheLoad) {
   constexpr double weight = 9.81;  // [m/s^2]
   Case the_case = into_the_cable(weight);

@@ -110,6 +110,9 @@ std::optional<Real> least_energy(const BasicSystem<Real, D>& system,
   BasicSystem<Real, D> calm = calmed(system, projected(system, still, cables), rate);
   constexpr double times = 300.0;  // of the scale of time: soft motions are slower
   calm.duration = times / rate;
+  if (!problems(in_double(calm)).empty()) {  // such as a spring that is too stiff for so long
+    return std::nullopt;
+  }
   SolveOptions limited;
   limited.max_events = 100;  // it hardly moves
   limited.max_steps = 500;   // with an equilibrium up to 300; without, it may fall into a ring

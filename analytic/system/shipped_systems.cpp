@@ -288,7 +288,7 @@ std::vector<ShippedSystem> shipped_systems() {
        "A load below a vehicle that speeds up, drives on and stops. The load alone moves; the "
        "anchor of its cable is given over time."},
       {snap(),
-       "1 kg falls by 0.5 m into an elastic cable of 10 kN/m, whose damping ratio is that of a "
+       "1 kg falls by 0.5 m into an elastic cable of 10 kN/m, whose damping ratio gives a "
        "restitution of 0.7. It snaps seven times, at first with 277.952 N, before it hangs."},
       {bungee(),
        "A jumper of 80 kg falls by 20 m, and is caught by an elastic cord of 160 N/m with a "
@@ -296,7 +296,7 @@ std::vector<ShippedSystem> shipped_systems() {
        "ratio of 0.05. The largest pull is 2924.64 N, at 3.26727 s; after 21.9 s the cord is "
        "taut."},
       {elastic_breakwater(),
-       "The breakwater on elastic cables whose damping ratio is that of its restitution, 0.9. Its "
+       "The breakwater on elastic cables whose damping ratio gives its restitution, 0.9. Its "
        "first contacts come as its impacts do, a little later: `tautline bridge` says how much."},
       {elastic_strop(),
        "A load of 50 kg on an elastic strop below a hook of 10 kg, whose rope does not stretch. "

@@ -61,7 +61,7 @@ std::vector<TendonLimit> limits_of(const TheCase& the_case, const RunSettings& r
   return limits;
 }
 
-/// What MuJoCo makes of `limits`: with an impedance d that is the same for all overstretches it
+/// `limits` as MuJoCo takes them: with an impedance d that is the same for all overstretches it
 /// asks for x'' = (1 - d) a - damping x' - stiffness x, so that its pull takes over d of the load.
 std::vector<SoftRow> soft_rows_of(const std::vector<TendonLimit>& limits) {
   std::vector<SoftRow> rows;

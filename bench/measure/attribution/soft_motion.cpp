@@ -24,11 +24,11 @@ constexpr std::size_t most_soft_steps = std::is_same_v<TheCase, Case> ? 400'000 
 /// A cable is at its length where its gap is no larger than this, in lengths [-]: some roundings.
 constexpr double at_its_length = 1e-12;
 
-/// What the pulls are found to, relative to the largest [-], and the sweeps for it at most.
+/// Precision of the pulls, relative to the largest [-], and the sweeps for it at most.
 constexpr double same_pull = 1e-12;
 constexpr int most_sweeps = 500;
 
-/// What forces do to the motion of all bodies.
+/// The accelerations that forces give all bodies.
 RowOf<Case> by_forces(const Case& the_case, const State& /*state*/) {
   return {the_case.gravity.x(), the_case.gravity.y(), 0.0};
 }
@@ -78,7 +78,7 @@ class SoftMotion {
     return result;
   }
 
-  /// To the first cable that comes to its length, or to the end. False where no motion is found.
+  /// Until the first cable reaches its length, or the end. False where no motion is found.
   [[nodiscard]] bool fly() {
     const TheCase flight = restarted(case_, state_, time_, until_ - time_);
     if (!problems(flight).empty()) {
@@ -94,7 +94,7 @@ class SoftMotion {
     return true;
   }
 
-  /// One step; a shorter one where another cable comes to its length in it.
+  /// One step; a shorter one where another cable reaches its length in it.
   void step() {
     const CableSet before = stretched(state_);
     double dt = std::min(until_ - time_, 1.0 / (steps_in_time * fastest_));
@@ -117,8 +117,8 @@ class SoftMotion {
     return pulled(flown(case_, pulled(state, 0.5 * dt), dt), 0.5 * dt);
   }
 
-  /// `state` after what the stretched cables pull in `dt` [s], all of it at this pose. The rate of
-  /// a damper is that of the middle.
+  /// `state` after the pulls of the stretched cables in `dt` [s], all of them at this pose. A
+  /// damper takes the rate of the middle.
   [[nodiscard]] State pulled(const State& state, double dt) const {
     const CableSet cables = stretched(state);
     if (cables.empty()) {

@@ -15,7 +15,7 @@ namespace tautline::bench {
 // load: then a slow impact rebounds as a fast one does, and a body that hangs sags by nothing. So
 // the motion has a way of its own:
 //
-//   slack      the exact motion, up to the first cable that comes to its length
+//   slack      the exact motion, until the first cable reaches its length
 //   stretched  steps of 1/100 of the time sqrt(1/stiffness): half of the pull's impulse, a free
 //              flight, the other half; of second order, off by 1e-5 of a contact
 

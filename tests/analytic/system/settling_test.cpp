@@ -122,6 +122,14 @@ TEST(SystemSettlingOf, SpringsTakePartInTheEquilibrium) {
   const double left = energy(system, solution.at(system.duration)) - potential(low);
   EXPECT_GT(left, 1e-6);
   EXPECT_NEAR(*result.lock->residual_energy, left, 1e-9);
+
+  // too stiff for the 300 scales of time of that search, not for its own duration
+  system.cables[1].length = Function<1>::constant(0.7);
+  system.cables[1].elasticity = Elasticity{{1e9}, 0.0, 1.0};
+  system.duration = 0.1;
+  const SystemSettling stiff = settled(system);
+  ASSERT_TRUE(stiff.lock);
+  EXPECT_FALSE(stiff.lock->residual_energy);
 }
 
 TEST(SystemSettlingOf, ACableIsTautForTheTimeUntilItIsCut) {

@@ -183,8 +183,8 @@ struct SoftRow {
   double load = 0.0;  // [-], the part of a that it takes over: 0 of a spring, 1 of a rigid row
 };
 
-/// What a simulation derives from, too, if its cables are such; as `TensionImpulses` it is asked
-/// for by dynamic_cast. Reports then tell the error of the model from that of the steps.
+/// A simulation derives from this, too, if its cables are such; as `TensionImpulses` it is asked
+/// for by dynamic_cast. Reports then tell the errors of the model and of the steps apart.
 class SoftCables {
  public:
   SoftCables() = default;

@@ -49,8 +49,8 @@ namespace tautline::bench {
 // the noise is no more than a tenth of all; if there is none, the first at which it is no more than
 // half.
 
-// Soft cables. Where the engine tells that its cables are springs and dampers (`SoftRow`), there is
-// a third motion, that of these springs and dampers (soft_motion.hpp), and at T
+// Soft cables. Where the engine tells that its cables are springs and dampers (`SoftRow`), a third
+// motion, `soft`, is made by these springs and dampers (soft_motion.hpp), and at T
 //
 //     D = (run - soft) + (soft - exact) = step + model,
 //

@@ -192,28 +192,6 @@ Expected expected(const BasicExpectation<TheReference>& expectation, const Allow
   return result;
 }
 
-/// True where a cable of the case gives by its law, and has no impacts.
-bool is_elastic(const Cable& /*cable*/) { return false; }
-bool is_elastic(const SpatialCable& cable) { return cable.elasticity.has_value(); }
-
-/// By how much `run` stretches cables that do not give [m]: next to elastic ones at its points
-/// alone.
-template <class TheCase>
-double overstretch_of(const TheCase& the_case, const BasicTrajectory<TheCase>& run) {
-  const auto& cables = the_case.cables;
-  if (std::none_of(cables.begin(), cables.end(),
-                   [](const auto& cable) { return is_elastic(cable); })) {
-    return run.overstretch;
-  }
-  double worst = 0.0;
-  for (const auto& point : run.points) {
-    for (const auto& cable : cables) {
-      worst = is_elastic(cable) ? worst : std::max(worst, -gap(cable, point.state));
-    }
-  }
-  return worst;
-}
-
 /// Flights that are no longer than this many steps say nothing of the acceleration.
 constexpr double steps_of_flight = 7.5;
 
@@ -362,9 +340,8 @@ Judgement judge(const BasicExpectation<TheReference>& expectation,
                        floats * expectation.extent() * steps;  // [m]
   result.flight = off_in_flight(the_case, run, slack, 2.0 * floats * expectation.speed()) /
                   ((weight > 0.0 ? weight : acceleration) + tiny);
-  result.overstretch =
-      overstretch_of(the_case, run) / (run.step * speed + 1e-6 * shortest_cable(the_case) +
-                                       floats * expectation.extent() * std::sqrt(steps));
+  result.overstretch = run.overstretch / (run.step * speed + 1e-6 * shortest_cable(the_case) +
+                                          floats * expectation.extent() * std::sqrt(steps));
   if constexpr (!std::is_same_v<TheCase, Case>) {
     result.rotation = turned_in_flight(the_case, run, slack, floats);
   }

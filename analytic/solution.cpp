@@ -8,6 +8,7 @@
 
 #include "instantiate.hpp"
 #include "tautline/detail/flight.hpp"
+#include "tautline/elasticity.hpp"
 #include "tautline/geometry.hpp"
 #include "tension/tension.hpp"
 

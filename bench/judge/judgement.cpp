@@ -8,6 +8,7 @@
 #include "bench/judge/states.hpp"
 #include "bench/measure/compare.hpp"
 #include "tautline/case_or_system.hpp"
+#include "tautline/model_table.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -349,9 +350,7 @@ Judgement judge(const BasicExpectation<TheReference>& expectation,
   const double force =
       heaviest(the_case) * std::max(expectation.acceleration(), expectation.change());  // [N]
   const double far = std::max(shortest_cable(the_case), expectation.extent());          // [m]
-  const bool stores = std::any_of(the_case.cables.begin(), the_case.cables.end(),
-                                  [](const auto& cable) { return is_elastic(cable); });
-  if (keeps_energy(the_case) && !stores) {
+  if (keeps_energy(the_case) && !first_elastic(the_case)) {
     result.energy = largest_rise(the_case, run) /
                     (force * expectation.speed() * run.step + 1e-9 * start +
                      1e-6 * kinetic_energy(bodies_of(the_case), the_case.initial) +

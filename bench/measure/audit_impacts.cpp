@@ -136,13 +136,6 @@ bool bounces_straight(const ReferenceCase& reference) {
   });
 }
 
-/// True where the contacts of cable `index` follow its own law, and there is no restitution to ask
-/// for.
-bool has_a_law(const Case& /*the_case*/, std::size_t /*index*/) { return false; }
-bool has_a_law(const SpatialSystem& system, std::size_t index) {
-  return system.cables[index].elasticity.has_value();
-}
-
 }  // namespace
 
 template <class TheCase>
@@ -165,8 +158,7 @@ std::vector<AuditedImpact> audited_impacts(const TheReference& reference,
   for (std::size_t index = 0; index < run.impacts.size(); ++index) {
     BasicRecordedImpact<TheCase> recorded = run.impacts[index];
     const bool stuck = sticks(the_case, recorded) && stopped_alone(run, index);
-    if (has_a_law(the_case, recorded.cable) || recorded.time > end ||
-        !(stuck || alone(run, index))) {
+    if (recorded.time > end || !(stuck || alone(run, index))) {
       continue;
     }
     if (stuck) {  // of its first step alone

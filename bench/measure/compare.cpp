@@ -10,6 +10,7 @@
 #include "bench/measure/settling_match.hpp"
 #include "bench/measure/tension_match.hpp"
 #include "tautline/case_or_system.hpp"
+#include "tautline/model_table.hpp"
 #include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
@@ -165,7 +166,7 @@ Metrics compare(const SpatialSystem& system, const BasicSolution<SpatialSystem>&
                 const SystemSettling& settling, double horizon, const SystemTrajectory& run,
                 const CompareOptions& options) {
   Metrics metrics = compared(system, solution, settling, horizon, run, options);
-  if (std::ranges::any_of(system.cables, [](const auto& cable) { return is_elastic(cable); })) {
+  if (first_elastic(system)) {
     metrics.contacts = match_contacts(elastic_contacts(solution), run.contacts, options.count_speed,
                                       std::min(solution.end_time(), horizon));
   }

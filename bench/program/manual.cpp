@@ -166,10 +166,10 @@ std::string help_text(const Outline& outline, std::size_t width) {
   for (const Command& command : outline.commands) {
     commands.emplace_back(command.name, command.summary);
   }
-  return wrapped(outline.summary, width) + "usage: tautline COMMAND [OPTIONS]\n" +
-         section("commands", commands, width) + example_lines(outline.examples, width) +
-         wrapped("Run `tautline COMMAND --help` for details, `tautline --version` for the version.",
-                 width);
+  return wrapped(outline.summary, width) +
+         "usage: tautline COMMAND [OPTIONS]\n"
+         "       tautline COMMAND --help | --version\n" +
+         section("commands", commands, width) + example_lines(outline.examples, width);
 }
 
 std::string help_text(const Command& command, std::size_t width) {

@@ -319,8 +319,10 @@ class ContactRecorder {
         continue;
       }
       std::optional<ElasticContact>& contact = open_[index];
-      // a damper that is not cut pushes before the cable is slack
-      const bool acts = impulses[index] > 0.0 || (impulses[index] < 0.0 && gap(cable, after) < 0.0);
+      // a damper that is not cut pushes before the cable is slack, and one without end acts after
+      const bool stretched = gap(cable, after) < 0.0;
+      const bool acts = impulses[index] > 0.0 ? stretched || gap(cable, before) < 0.0
+                                              : impulses[index] < 0.0 && stretched;
       if (!acts) {
         close(contact, start, gap_rate(cable, before));
         continue;

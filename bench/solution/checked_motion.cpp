@@ -448,6 +448,9 @@ SystemSettlingErrors BasicCheckedMotion<D>::settling_errors() const {
     if (mine.lock->one_percent && other.one_percent) {
       errors.one_percent = off_by(*mine.lock->one_percent, *other.one_percent);
     }
+    if (mine.lock->ring_down && other.ring_down) {
+      errors.ring_down = off_by(*mine.lock->ring_down, *other.ring_down);
+    }
   }
   return errors;
 }

@@ -36,6 +36,7 @@ struct SystemSettlingErrors {
   double lock = -1.0;                 // [s]
   double residual_energy = -1.0;      // [J]
   double one_percent = -1.0;          // [s]
+  double ring_down = -1.0;            // [s]
 };
 
 /// True if a cable of `system` is elastic.

@@ -206,8 +206,12 @@ class Sentences {
     if (lock.one_percent) {
       result += fmt::format(" By {} {} taken 99 % of the energy above the equilibrium at {}.",
                             time(*lock.one_percent, errors_.one_percent),
-                            lock.ring_down ? "drag and dampers have" : "drag has",
+                            lock.ring_down ? "drag or dampers have" : "drag has",
                             time(lock.time, errors_.lock));
+    }
+    if (lock.ring_down) {
+      result += fmt::format(" A stretch rings down to 1/e in {}, the slowest of these cables.",
+                            time(*lock.ring_down, errors_.ring_down));
     }
     return result;
   }

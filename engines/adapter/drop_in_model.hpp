@@ -12,17 +12,40 @@
 
 namespace tautline {
 
+/// The first thing of `cable` that the drop-in cable has not, as the rest of a sentence; null:
+/// none.
+[[nodiscard]] inline const char* missing_in_drop_in(const SpatialCable& cable) {
+  const Elasticity& law = *cable.elasticity;
+  if (!law.corners.empty()) {
+    return "its force has no corners; a polynomial has none";
+  }
+  if (law.of_strain && !cable.length.is_constant()) {
+    return "an EA needs a length that does not vary";
+  }
+  return law.cut == ElasticCut::force ? nullptr : "it is cut where its tension falls to zero alone";
+}
+
 /// The law of `cable`, one of `system`; of an inextensible one it has no stiffness. Throws
 /// std::invalid_argument where the drop-in cable has no such law.
 [[nodiscard]] inline CableElasticity drop_in_elasticity(const SpatialSystem& system,
                                                         const SpatialCable& cable) {
   CableElasticity result;
+  const char* problem = nullptr;
   if (cable.elasticity) {
     result.stiffness = cable.elasticity->stiffness;
     result.damping = cable.elasticity->damping;
     result.damping_ratio = cable.elasticity->damping_ratio;
+    double scale = 1.0;
+    for (double& coefficient : result.stiffness) {  // of the stretch: EA / L, EA2 / L^2, ...
+      scale *= cable.elasticity->of_strain ? cable.length.at(0.0)[0] : 1.0;
+      coefficient /= scale;
+    }
+    problem = missing_in_drop_in(cable);
   }
-  if (const char* problem = result.problem()) {
+  if (problem == nullptr) {
+    problem = result.problem();
+  }
+  if (problem != nullptr) {
     const auto index = static_cast<std::size_t>(&cable - system.cables.data());
     throw std::invalid_argument("unsupported: cable " + std::to_string(index) +
                                 " as tautline's drop-in cable: " + problem);

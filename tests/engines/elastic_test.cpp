@@ -251,7 +251,7 @@ TEST_P(ElasticInEngine, FollowsTheExactMotionOfAPairToFirstOrder) {
 /// the third is damped so much that it is loose before it is slack. The winch's is cut while it
 /// pulls.
 SpatialSystem pair_at_work() {
-  SpatialSystem result = pair_on_springs(false);
+  SpatialSystem result = pair_on_springs(false, true);
   result.name = "pair at work";
   result.cables.pop_back();
   SpatialCable& winch = result.cables[0];
@@ -460,6 +460,32 @@ TEST_P(ElasticInEngine, DropInCablesNeedAStiffnessThatNeverFalls) {
                   ? "unsupported: cable 0 as tautline's drop-in cable: each stiffness "
                     "of an elastic cable must be a finite number of at least 0"
                   : "");
+  }
+}
+
+TEST_P(ElasticInEngine, DropInCablesHaveNoCornersNoOtherCutAndNoStrainOnAWinch) {
+  const auto why = [](const std::string& model, const char* problem) {
+    return is_drop_in(model)
+               ? std::string("unsupported: cable 0 as tautline's drop-in cable: ") + problem
+               : "";
+  };
+  SpatialSystem bent = snap(0.0);
+  bent.cables[0].elasticity->corners = {{0.01, 1.0}};
+  SpatialSystem pushing = snap(0.0);
+  pushing.cables[0].elasticity->cut = ElasticCut::stretch;
+  SpatialSystem strained = snap(0.0);
+  strained.cables[0].elasticity->of_strain = true;
+  SpatialSystem wound = strained;
+  wound.cables[0].length.pieces = {
+      {0.0, {Eigen::Matrix<double, 1, 1>(1.0), Eigen::Matrix<double, 1, 1>(-0.2)}}};
+  for (const std::string& model : stepped_models(engine())) {
+    EXPECT_EQ(why_not(engine(), bent, model),
+              why(model, "its force has no corners; a polynomial has none"));
+    EXPECT_EQ(why_not(engine(), pushing, model),
+              why(model, "it is cut where its tension falls to zero alone"));
+    EXPECT_EQ(why_not(engine(), strained, model), "");
+    EXPECT_EQ(why_not(engine(), wound, model),
+              why(model, "an EA needs a length that does not vary"));
   }
 }
 

@@ -20,6 +20,7 @@
 #include "bench/measure/reference.hpp"
 #include "tautline/case_or_system.hpp"
 #include "tautline/geometry.hpp"
+#include "tautline/model_table.hpp"
 #include "tautline/system_geometry.hpp"
 
 namespace tautline::bench {
@@ -448,7 +449,7 @@ Attribution attribute(const Case& the_case, const Solution& solution, double hor
 Attribution attribute(const SpatialSystem& system, const BasicSolution<SpatialSystem>& solution,
                       double horizon, const SystemTrajectory& run,
                       const AttributionOptions& options) {
-  if (std::ranges::any_of(system.cables, [](const SpatialCable& one) { return is_elastic(one); })) {
+  if (first_elastic(system)) {
     return nothing("elastic cables have no impacts, which attribution goes by");
   }
   return attributed<SystemReading>(system, solution, horizon, run, options);

@@ -213,20 +213,29 @@ struct SystemLockRow {
   Bounded time;
   CableSet cables;
   bool certain = false;
+  bool at_rest = false;
   std::optional<Bounded> residual_energy;
   std::optional<Bounded> one_percent;
+  std::optional<Bounded> ring_down;
 };
 
 template <class Visitor>
 void fields(Visitor& visit, SystemLockRow& lock) {
   visit("time", lock.time, "from which on they are taut [s]");
   visit("cables", lock.cables);
-  visit("certain", lock.certain,
-        "no tension falls to zero ever after; else the lock is observed in this run alone");
+  visit(
+      "certain", lock.certain,
+      "no tension falls to zero ever after: the bodies rest, or their energy is too low; else the "
+      "lock is observed in this run alone");
+  visit("at_rest", lock.at_rest, "the bodies rest");
   visit("residual_energy", lock.residual_energy,
         "above the equilibrium on these cables, at the end [J]; null: there is none on them");
-  visit("one_percent", lock.one_percent,
-        "when drag has taken 99 % of what it is at `time` [s]; null: not within the run");
+  visit(
+      "one_percent", lock.one_percent,
+      "when drag or dampers have taken 99 % of what it is at `time` [s]; null: not within the run");
+  visit("ring_down", lock.ring_down,
+        "in which the stretch of a damped elastic cable rings down to 1/e, the longest of these "
+        "cables [s]; null: none of them is damped and elastic");
 }
 
 template <class Visitor>
@@ -378,8 +387,10 @@ static SystemSettlingRow settling_row(const BasicCheckedMotion<D>& motion) {
     row.lock = {{lock->time, errors.lock},
                 lock->cables,
                 lock->certain,
+                lock->at_rest,
                 bounded_or_none(lock->residual_energy, errors.residual_energy),
-                bounded_or_none(lock->one_percent, errors.one_percent)};
+                bounded_or_none(lock->one_percent, errors.one_percent),
+                bounded_or_none(lock->ring_down, errors.ring_down)};
   }
   row.forced = settling.forced;
   return row;

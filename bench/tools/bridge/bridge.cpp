@@ -49,7 +49,7 @@ std::string obstacle(const BasicCableOfSystem<double, D>& cable) {
 struct LeadingImpacts {
   std::vector<BridgeImpact> impacts;
   double next = 0.0;  // [s], of the event after them, or of the end
-  std::string why;    // a sentence: what that event is; "": nothing, or it is one of them, too
+  std::string why;    // a sentence: what that event is; "": no more impacts were asked for
 };
 
 template <int D>
@@ -59,6 +59,10 @@ LeadingImpacts leading_impacts(const BasicSystem<double, D>& system,
   LeadingImpacts result;
   result.next = solution.end_time();
   for (const auto& event : solution.events()) {
+    if (result.impacts.size() == most) {
+      result.next = event.time;
+      break;
+    }
     const std::string at = fmt::format("at t = {:.6g} ", event.time);
     if (event.kind != EventKind::impact) {
       result.why = at + (event.kind == EventKind::taut ? "cables stay taut" : "cables are let go");
@@ -69,7 +73,7 @@ LeadingImpacts leading_impacts(const BasicSystem<double, D>& system,
     } else if (const std::size_t cable = event.cables.indices().front();
                !(gap_rate(system.cables[cable], event.after) > 0.0)) {
       result.why = at + fmt::format("cable {} does not rebound", cable);
-    } else if (result.impacts.size() < most) {
+    } else {
       result.impacts.push_back({event.time, cable});
       continue;
     }

@@ -150,7 +150,8 @@ std::string slope_sentence(const Bridge& bridge) {
   const double deviation = *bridge.deviation_slope;
   std::string result = fmt::format("The deviation falls with k^{:.3f}, the shift with k^{:.3f}; ",
                                    deviation, *bridge.shift_slope);
-  if (std::abs(deviation - expected_slope) <= slope_tolerance) {
+  if (std::max(std::abs(deviation - expected_slope),
+               std::abs(*bridge.shift_slope - expected_slope)) <= slope_tolerance) {
     return result + fmt::format("for large k both do so with k^{:g}.", expected_slope);
   }
   return result + fmt::format(

@@ -55,6 +55,7 @@ TEST(Wire, ARunComesBitForBit) {
       {0.25, 7, 1.5, -1.0, 0.5, 2, some_state(), State(), {1.0, 2.0, 3.0}, 0.3, true}};
   run.trajectory.contacts = {{3, 0.1, 0.2, 1.0, 0.5, 40.0, 0.15, 0.01, 2.5},
                              {4, 0.2, std::nullopt, 1.5, 0.0, 30.0, 0.25, 0.02, 3.5}};
+  run.trajectory.soft_rows = {{4.0, 0.5, 0.25}};
   run.trajectory.slow_impacts = 123'456'789;
   run.trajectory.overstretch = 1e-9;
   run.trajectory.largest_energy = 2.0;
@@ -71,6 +72,10 @@ TEST(Wire, ARunComesBitForBit) {
   EXPECT_EQ(read.cost.repetitions, run.cost.repetitions);
   EXPECT_EQ(read.trajectory.step, 0.1);
   EXPECT_EQ(read.trajectory.stride, 3U);
+  ASSERT_EQ(read.trajectory.soft_rows.size(), 1U);
+  EXPECT_EQ(read.trajectory.soft_rows[0].stiffness, 4.0);
+  EXPECT_EQ(read.trajectory.soft_rows[0].damping, 0.5);
+  EXPECT_EQ(read.trajectory.soft_rows[0].load, 0.25);
   EXPECT_EQ(read.trajectory.slow_impacts, 123'456'789U);
   EXPECT_EQ(read.trajectory.overstretch, 1e-9);
   EXPECT_EQ(read.trajectory.largest_energy, 2.0);
@@ -228,15 +233,7 @@ TEST(Wire, ARunWhosePartsDoNotFitEachOtherIsAFailure) {
   run.trajectory.tensions.clear();
   run.trajectory.soft_rows.resize(max_cables + 1);
   EXPECT_TRUE(is_refused(run)) << "soft rows of more cables than a case has";
-  run.trajectory.soft_rows = {{4.0, 0.5, 0.25}};
-  const auto answer = answer_from(to_bytes(run)).value();
-  ASSERT_TRUE(std::holds_alternative<RunAnswer>(answer));
-  const std::vector<SoftRow>& rows = std::get<RunAnswer>(answer).trajectory.soft_rows;
-  ASSERT_EQ(rows.size(), 1U);
-  EXPECT_EQ(rows[0].stiffness, 4.0);
-  EXPECT_EQ(rows[0].damping, 0.5);
-  EXPECT_EQ(rows[0].load, 0.25);
-  run.trajectory.tensions.clear();
+  run.trajectory.soft_rows.clear();
   run.trajectory.impacts[0].cable = max_cables;
   EXPECT_TRUE(is_refused(run)) << "an impact of a cable that no case has";
 }

@@ -154,12 +154,12 @@ TEST(Bridge, IsWrittenInThreeWays) {
         "The deviation falls with k^-0.498", "k = 1e6", "\n    1e5  "}) {
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
   }
-  const auto json = nlohmann::json::parse(bridge_json(bridge));
-  ASSERT_EQ(json.at("rows").size(), 3U);
-  EXPECT_EQ(json.at("rows").at(1).at("deviation"), bridge.rows[1].deviation);
-  EXPECT_EQ(json.at("rows").at(2).at("contacts").at(1).at("shift"),
+  const auto read = nlohmann::json::parse(bridge_json(bridge));
+  ASSERT_EQ(read.at("rows").size(), 3U);
+  EXPECT_EQ(read.at("rows").at(1).at("deviation"), bridge.rows[1].deviation);
+  EXPECT_EQ(read.at("rows").at(2).at("contacts").at(1).at("shift"),
             bridge.rows[2].contacts[1].shift);
-  EXPECT_EQ(json.at("slopes").at("deviation"), *bridge.deviation_slope);
+  EXPECT_EQ(read.at("slopes").at("deviation"), *bridge.deviation_slope);
   const std::string page = bridge_html(bridge, page_assets());
   for (const char* const words : {"<svg", "bridge-rows", "bridge-shifts", "bridge-data"}) {
     EXPECT_NE(page.find(words), std::string::npos) << words;

@@ -17,13 +17,13 @@ namespace tautline {
 [[nodiscard]] SpatialSystemState with_zones_of_step(const SpatialSystem& system,
                                                     SpatialSystemState state);
 
-/// The impulse of each cable in a step of `dt` [s] from `state` [N s]: of the engaged ones their
-/// tension at its start times `dt`, of the others 0.
+/// The impulse of each cable in a step of `dt` [s] from `state` [N s]: of those that pull or
+/// resist their tension at its start times `dt`, of the others 0.
 [[nodiscard]] std::vector<double> elastic_impulses(const SpatialSystem& system,
                                                    const SpatialSystemState& state, double dt);
 
-/// The forces [N] of the engaged cables of `state` on each body, and their moments about its centre
-/// [N m], in world axes. One for each body, in their order.
+/// The forces [N] of the cables of `state` that pull or resist on each body, and their moments
+/// about its centre [N m], in world axes. One for each body, in their order.
 [[nodiscard]] std::vector<BodyLoad> elastic_loads(const SpatialSystem& system,
                                                   const SpatialSystemState& state);
 

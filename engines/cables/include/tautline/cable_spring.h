@@ -188,6 +188,14 @@ class CableSpring {
   }
   /// The user has changed what the cable is stretched by: that stretch counts.
   void forget() { known_ = false; }
+  /// As `forget` where a length is set that is not the one a winch has wound already [m].
+  template <typename Length>
+  void set_length(Length from, Length to) {
+    const Length rounding = 16 * std::numeric_limits<Length>::epsilon();
+    if (!(std::abs(to - from) <= rounding * std::max(from, to))) {
+      forget();
+    }
+  }
   /// The largest tension since the cable became stretched last [N].
   double peak() const { return peak_; }
 

@@ -46,8 +46,8 @@ class btCableConstraint : public btCableInSolver {
   /// Longest distance of the pivots [m], >= 0. Another length wakes the bodies.
   void setMaxLength(btScalar maxLength) {
     if (maxLength != m_rule.length) {
+      m_spring.set_length(m_rule.length, positive(maxLength));
       m_rule.length = positive(maxLength);
-      m_spring.forget();
       wake();
     }
   }

@@ -76,8 +76,9 @@ inline void dCableGetAnchor2(dCableID cable, dVector3 result) { cable->end[1].po
 
 /// Longest distance of the anchors [m], >= 0. Another length wakes the bodies.
 inline void dCableSetLength(dCableID cable, dReal length) {
-  cable->rule.length = dxCableAtLeast0(length);
-  cable->spring.forget();
+  length = dxCableAtLeast0(length);
+  cable->spring.set_length(cable->rule.length, length);
+  cable->rule.length = length;
   cable->wake();
 }
 inline dReal dCableGetLength(dCableID cable) { return cable->rule.length; }  // [m]

@@ -178,7 +178,7 @@ TEST(JudgementOfSystems, FindsNoFaultInASpringThatIsFollowed) {
 /// where in a step it begins may double that.
 TEST(JudgementOfSystems, ComparesContactsOfElasticCables) {
   using enum ElasticCut;
-  for (const auto [dt, cut] :
+  for (const auto& [dt, cut] :
        {std::pair(1e-4, force), {1e-5, force}, {1e-5, stretch}, {1e-5, never}}) {
     const ContactMatch contacts = measured_on_a_spring(dt, {}, cut).contacts;
     EXPECT_GE(contacts.exact, 1U);

@@ -39,7 +39,7 @@ class CountingEngine final : public Engine {
 
   [[nodiscard]] EngineInfo info() const override {
     EngineInfo result;
-    result.models = {{.name = "m", .sentence = "It counts."}};
+    result.models = {{.name = "m", .sentence = "It counts.", .settings = {}}};
     return result;
   }
   [[nodiscard]] std::unique_ptr<Simulation> start(const Case& /*the_case*/,

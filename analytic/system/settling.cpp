@@ -111,7 +111,8 @@ std::optional<Real> least_energy(const BasicSystem<Real, D>& system,
   }
   const Real rate = sqrt(Real(acceleration / shortest));
   const CableSet held = cables - state.elastic.stretched();
-  BasicSystem<Real, D> calm = calmed(system, projected(system, still, held), rate);
+  BasicSystem<Real, D> calm =
+      calmed(system, held.empty() ? still : projected(system, still, held), rate);
   constexpr double times = 300.0;  // of the scale of time: soft motions are slower
   calm.duration = times / rate;
   if (!problems(in_double(calm)).empty()) {  // too stiff a spring for that long
@@ -130,13 +131,19 @@ std::optional<Real> least_energy(const BasicSystem<Real, D>& system,
   }
   const bool whole =
       solution.ending() == Ending::reached_duration || solution.ending() == Ending::rest;
-  std::size_t taut = 0;
+  CableSet wanted;  // `cables`, in the numbers of those that act
+  std::size_t number = 0;
   for (std::size_t i = 0; i < system.cables.size(); ++i) {
-    taut += system.cables[i].acts_at(state.time) && cables.contains(i) ? 1U : 0U;
+    if (system.cables[i].acts_at(state.time)) {
+      if (cables.contains(i)) {
+        wanted.insert(number);
+      }
+      ++number;
+    }
   }
   const auto& last = solution.arcs().back();
   if (!whole || left > enough * scale ||
-      (last.taut | last.initial.elastic.engaged).size() != taut) {
+      (last.taut | (last.initial.elastic.engaged & wanted)) != wanted) {
     return std::nullopt;
   }
   return energy(calm, end);

@@ -292,10 +292,12 @@ TEST_P(ElasticInEngine, FollowsWinchesMovingEndsCutsAndSecondContacts) {
   for (const std::string& model : stepped_models(engine())) {
     const double at_coarse = farthest(exact, engine(), system, model, 1e-3);
     const double at_fine = farthest(exact, engine(), system, model, 1e-4);
-    // semi-implicit steps of 1 ms are off by 5 mm in a fall of 0.9 s
+    // semi-implicit steps of 1 ms are off by 5 mm in a fall of 0.9 s; errors of several contacts
+    // may all but cancel at one of two steps
+    constexpr double usual = 2e-3;  // [m], at 1e-3 s
     expect_within(model + ", 1e-3 s, off [m]", at_coarse, 0.02);
     expect_within(model + ", 1e-4 s, off [m]", at_fine,
-                  0.2 * at_coarse + (in_double() ? 0.0 : 1e-3));
+                  0.25 * std::max(at_coarse, usual) + (in_double() ? 0.0 : 1e-3));
   }
 }
 

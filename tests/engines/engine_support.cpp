@@ -25,6 +25,9 @@ bench::RegisteredEngine engine_from_list(const ordered_json& row) {
     engine.info = {row.at("name"), row.at("version"), row.at("precision"), {}};
     for (const ordered_json& model : row.at("models")) {
       engine.info->models.push_back({model.at("name"), model.at("sentence"), {}});
+      if (const auto cables = model.find("cables"); cables != model.end()) {
+        engine.info->models.back().cables = *cables == "any" ? Cables::any : Cables::elastic;
+      }
     }
   }
   return engine;

@@ -405,7 +405,7 @@ const std::vector<Mistake> mistakes = {
      "crane.toml:38: cables[2].thruogh: unknown key; did you mean through?"},
     {"from_time = 0.25", "angle = 3",
      "crane.toml:42: cables[2].angle = 3: unknown key, must be from, through, to, length, "
-     "stiffness, restitution, capture_speed, restitution_table, from_time or cut_at"},
+     "stiffness, EA, restitution, capture_speed, restitution_table, from_time or cut_at"},
     {"to = { at = [0.0, 0.0], waves", "to = { at = [0.0, 0.0], wave_list",
      "crane.toml:31: cables[1].to.wave_list: unknown key, must be body, at, waves, times or "
      "pieces"},
@@ -424,7 +424,7 @@ const std::vector<Mistake> mistakes = {
     {"[[cables]]\nfrom = { body = \"load\", at = [-0.3, 0.1] }",
      "[[cables]]\nname = \"sling\"\nfrom = { body = \"load\", at = [-0.3, 0.1] }",
      "crane.toml:24: cables[0].name = \"sling\": unknown key, must be from, through, to, length, "
-     "stiffness, restitution, capture_speed, restitution_table, from_time or cut_at"},
+     "stiffness, EA, restitution, capture_speed, restitution_table, from_time or cut_at"},
 };
 
 class SystemMistake : public testing::TestWithParam<Mistake> {};

@@ -50,7 +50,7 @@ std::string excerpt(const Json& value) {
 
 }  // namespace
 
-Json json_of(double value) {
+Json number_json(double value) {
   if (std::isnan(value)) {
     return "NaN";
   }

@@ -15,7 +15,7 @@ namespace tautline::bench {
 using Json = nlohmann::json;
 
 /// A number, or the word for what JSON has no number for: "NaN", "Infinity", "-Infinity".
-[[nodiscard]] Json json_of(double value);
+[[nodiscard]] Json number_json(double value);
 
 /// What a child wrote is quoted up to this length in a sentence [bytes]: a report cuts long ones.
 inline constexpr std::size_t excerpt_length = 40;

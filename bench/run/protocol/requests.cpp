@@ -10,7 +10,7 @@ template <class Numbers>
 Json numbers_json(const Numbers& numbers) {
   Json result = Json::array();
   for (const double number : numbers) {
-    result.push_back(json_of(number));
+    result.push_back(number_json(number));
   }
   return result;
 }
@@ -75,7 +75,7 @@ Json function_json(const Function<N>& function) {
     for (const auto& coefficient : piece.coefficients) {
       polynomial.push_back(numbers_json(coefficient));
     }
-    pieces.push_back({{"from", json_of(piece.from)}, {"polynomial", std::move(polynomial)}});
+    pieces.push_back({{"from", number_json(piece.from)}, {"polynomial", std::move(polynomial)}});
   }
   Json waves = Json::array();
   for (const auto& wave : function.waves) {
@@ -170,7 +170,7 @@ std::string place_request(int id, const State& state) {
 
 std::string place_request(int id, const SpatialSystemState& state) {
   return request(id, "place",
-                 {{"state", numbers_json(numbers_of(state))}, {"time", json_of(state.time)}});
+                 {{"state", numbers_json(numbers_of(state))}, {"time", number_json(state.time)}});
 }
 
 std::string solve_request(int id, CableSet cables, const CableVector& rates) {

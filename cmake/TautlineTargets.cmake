@@ -68,12 +68,9 @@ endfunction()
 # tautline_unhurried(<target>): takes longer to optimise than to run, with sanitizers more than half of the compiler's
 # time. Fuzzers alone are to run fast.
 function(tautline_unhurried target)
+  set(level -O1)
   if(TAUTLINE_SANITIZE AND TAUTLINE_TESTS)
     set(level -O0)
-  elseif(CMAKE_BUILD_TYPE STREQUAL "RelWithDebInfo")
-    set(level -Og)
-  else()
-    set(level -O1)
   endif()
   target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:${level}>)
 endfunction()

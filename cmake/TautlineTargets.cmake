@@ -65,16 +65,6 @@ function(tautline_target target)
   endif()
 endfunction()
 
-# tautline_unhurried(<target>): takes longer to optimise than to run, with sanitizers more than half of the compiler's
-# time. Fuzzers alone are to run fast.
-function(tautline_unhurried target)
-  set(level -O1)
-  if(TAUTLINE_SANITIZE AND TAUTLINE_TESTS)
-    set(level -O0)
-  endif()
-  target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:${level}>)
-endfunction()
-
 # tautline_unity(<target> <count>): compiles so many of its sources as one where TAUTLINE_UNITY is on.
 # Headers are then parsed and templates instantiated once for all of them, most of what a source costs.
 # Sources that stand together must not give two things of their unnamed namespaces one name.

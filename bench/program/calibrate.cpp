@@ -21,6 +21,7 @@
 #include "bench/program/engine_json.hpp"
 #include "bench/run/registry.hpp"
 #include "bench/tools/calibrate/calibrate.hpp"
+#include "tautline/elasticity.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -185,6 +186,17 @@ std::string closing_words(const CalibrationRequest& request, const Calibration& 
   return words;
 }
 
+/// The law of a cable that is a spring and a damper, and the restitution of its closed form.
+std::string law_words(const SoftRow& law) {
+  const double ratio = damping_ratio_of(law);
+  const std::string words = fmt::format(
+      "The cable is a spring and a damper: on a mass m it has k = {:.6g} m [N/m] and c = {:.6g} m "
+      "[N s/m], a damping ratio of {:.4g}. In short steps and without a load that is e = {:.4g}.",
+      law.stiffness, law.damping, ratio, restitution_of(ratio));
+  return law.load > 0.0 ? fmt::format("{} It takes over {:g} of any load.", words, law.load)
+                        : words;
+}
+
 void print_calibration(const RegisteredEngine& engine, const CalibrationRequest& request,
                        const Calibration& found) {
   const std::size_t width = output_style().text;
@@ -197,7 +209,11 @@ void print_calibration(const RegisteredEngine& engine, const CalibrationRequest&
   for (const auto& [name, value] : found.parameters) {
     fmt::print("  {} = {:.6g}{}\n", name, value, request.fixed.contains(name) ? ", fixed" : "");
   }
-  fmt::print("\n{}\n\n{}\n{}\n", found.code,
+  fmt::print("\n{}\n\n", found.code);
+  if (found.law) {
+    fmt::print("{}\n", wrapped(law_words(*found.law), width));
+  }
+  fmt::print("{}\n{}\n",
              wrapped("On strikes that the search did not see; by spin: the part of the closing "
                      "speed that the body's spin brings",
                      width),

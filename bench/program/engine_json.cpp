@@ -10,6 +10,7 @@
 #include "bench/check/claims.hpp"
 #include "bench/report/json/fields.hpp"
 #include "bench/report/words.hpp"
+#include "tautline/elasticity.hpp"
 
 namespace tautline::bench {
 
@@ -164,6 +165,18 @@ void fields(Visitor& visit, HeldOut& one) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, SoftRow& law) {
+  const double ratio = damping_ratio_of(law);
+  visit("stiffness", law.stiffness,
+        above(0, "of the spring, over the mass that the cable feels [1/s^2]"));
+  visit("damping", law.damping, at_least(0, "of the damper, over that mass [1/s]"));
+  visit("load", law.load, in_range(0, 1, "the part of other forces that the cable takes over"));
+  visit("damping_ratio", ratio, at_least(0, "damping / (2 sqrt(stiffness))"));
+  visit("restitution", restitution_of(ratio),
+        in_range(0, 1, "in short steps, where no other force pulls"));
+}
+
+template <class Visitor>
 void fields(Visitor& visit, CalibratedEngine& row) {
   const EngineInfo info = row.engine.info.value_or(EngineInfo{});
   CalibrationRequest& request = row.request;
@@ -189,6 +202,9 @@ void fields(Visitor& visit, CalibratedEngine& row) {
         "the best that was found, by name; those that are fixed too");
   visit("fixed", fixed, "names of the parameters that were not searched");
   visit("code", printable(found.code, longest_sentence), "sets the parameters in a user's program");
+  visit.unless_missing("law", found.law, [](auto& inside, SoftRow& law) {
+    inside("law", law, "of the cable, where the engine says that it is a spring and a damper");
+  });
   visit("worst", found.worst, or_null(at_least(0, "the largest error of the strikes below")));
   visit("mean", found.mean, or_null(at_least(0, "their mean")));
   visit("held_out", found.held_out, Says("strikes that the search did not see").not_empty());

@@ -415,7 +415,8 @@ class TensionRecorder {
   BasicTrajectory<TheCase>& run_;
 };
 
-/// The laws of the cables of `simulation`, if they are soft.
+}  // namespace
+
 template <class TheCase>
 std::vector<SoftRow> soft_rows_of(const TheCase& the_case,
                                   const BasicSimulation<TheCase>& simulation) {
@@ -436,8 +437,6 @@ std::vector<SoftRow> soft_rows_of(const TheCase& the_case,
   }
   return {rows.begin(), rows.end()};
 }
-
-}  // namespace
 
 double likely_speed(const SpatialSystem& system) {
   double longest = 0.0;
@@ -515,5 +514,7 @@ BasicTrajectory<TheCase> record(const TheCase& the_case,
 template Trajectory record(const Case&, Simulation&, double, const RecordOptions&);
 template SystemTrajectory record(const SpatialSystem&, SystemSimulation&, double,
                                  const RecordOptions&);
+template std::vector<SoftRow> soft_rows_of(const Case&, const Simulation&);
+template std::vector<SoftRow> soft_rows_of(const SpatialSystem&, const SystemSimulation&);
 
 }  // namespace tautline::bench

@@ -30,6 +30,12 @@ template <class TheCase>
     const TheCase& the_case, std::type_identity_t<BasicSimulation<TheCase>>& simulation,
     double step, const RecordOptions& options = {});
 
+/// The laws of the cables of `simulation`, one for each; empty where they are no springs and
+/// dampers. Throws std::runtime_error if the simulation gives laws that make no sense.
+template <class TheCase>
+[[nodiscard]] std::vector<SoftRow> soft_rows_of(const TheCase& the_case,
+                                                const BasicSimulation<TheCase>& simulation);
+
 /// The speed that a system makes likely at most [m/s]: of a fall by its longest cable, of its
 /// start, and of what moves its ends and hauls its cables.
 [[nodiscard]] double likely_speed(const SpatialSystem& system);

@@ -125,12 +125,20 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Failure, sentence, of_process)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckAnswer, claims, unfinished, digest)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DigestAnswer, digest)
 
-/// A strike that gave no number is null.
-static void to_json(json& row, const StrikesAnswer& strikes) { row = strikes.restitutions; }
+/// A strike that gave no number is null, and so is a law that there is not.
+static void to_json(json& row, const StrikesAnswer& strikes) {
+  row = {{"restitutions", strikes.restitutions}, {"law", nullptr}};
+  if (strikes.law) {
+    row["law"] = {strikes.law->stiffness, strikes.law->damping, strikes.law->load};
+  }
+}
 
 static void from_json(const json& row, StrikesAnswer& strikes) {
-  for (const json& one : row) {
+  for (const json& one : row.at("restitutions")) {
     strikes.restitutions.push_back(finite_or_none(one));
+  }
+  if (const json& law = row.at("law"); !law.is_null()) {
+    strikes.law = {law.at(0), law.at(1), law.at(2)};
   }
 }
 

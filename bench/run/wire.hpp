@@ -77,6 +77,7 @@ struct DigestAnswer {
 
 struct StrikesAnswer {
   std::vector<double> restitutions;  // one for each strike; no number where nothing was struck
+  std::optional<SoftRow> law;        // of the cable, where the engine has springs and dampers
 };
 
 /// One for each task, and a failure of any.

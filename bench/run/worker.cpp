@@ -287,6 +287,7 @@ StrikesReply strike_in_worker(const StrikesRequest& request, Workplace& workplac
   reply.interrupted = other.interrupted();
   if (const auto* const answer = answer_as<StrikesAnswer>(other.answer)) {
     reply.restitutions = answer->restitutions;
+    reply.law = answer->law;
   }
   return reply;
 }

@@ -111,6 +111,7 @@ struct StrikesRequest {
 /// The restitution of each strike; no number where there is none. `failure` as above.
 struct StrikesReply {
   std::vector<double> restitutions;
+  std::optional<SoftRow> law;  // of the cable, where the engine has springs and dampers
   std::string failure;
   bool interrupted = false;
 };

@@ -70,6 +70,25 @@ CheckAnswer do_check(const std::string& model, const Engine& engine) {
   return answer;
 }
 
+/// The law of the cable of a strike; none where it is no spring and damper, or nothing is struck.
+std::optional<SoftRow> law_of_strike(const WorkerRequest& request, const Engine& engine) {
+  const Strike strike = request.strikes.empty() ? Strike() : request.strikes.front();
+  const Case the_case = struck_case(strike, request.restitution, request.settings.step, 0.0);
+  try {
+    const auto simulation = engine.start(the_case, request.model, request.settings);
+    const std::vector<SoftRow> rows = soft_rows_of(the_case, *simulation);
+    return rows.empty() ? std::nullopt : std::optional(rows.front());
+  } catch (const std::exception&) {  // no strike has a number then, which says it
+    return std::nullopt;
+  }
+}
+
+StrikesAnswer do_strikes(const WorkerRequest& request, const Engine& engine) {
+  return {restitutions_of(Subject(engine, request.model, request.settings.parameters),
+                          request.strikes, request.settings.step, request.restitution),
+          law_of_strike(request, engine)};
+}
+
 /// Opens the plug-in of the first request; a worker has no other.
 WorkerAnswer obey(const WorkerRequest& request, std::optional<Plugin>& plugin) {
   if (!plugin) {
@@ -85,9 +104,7 @@ WorkerAnswer obey(const WorkerRequest& request, std::optional<Plugin>& plugin) {
     case Task::digest:
       return DigestAnswer{run_digest(plugin->engine(), request.model)};
     case Task::strikes:
-      return StrikesAnswer{
-          restitutions_of(Subject(plugin->engine(), request.model, request.settings.parameters),
-                          request.strikes, request.settings.step, request.restitution)};
+      return do_strikes(request, plugin->engine());
   }
   return plugin->engine().info();
 }

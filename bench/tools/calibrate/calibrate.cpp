@@ -302,6 +302,7 @@ void hold_out(const CalibrationRequest& request, Search& search, Calibration& re
     result.failure = reply.interrupted ? "interrupted" : reply.failure;
     return;
   }
+  result.law = reply.law;
   for (std::size_t index = 0; index < strikes.size(); ++index) {
     result.held_out.push_back({strikes[index], reply.restitutions[index]});
     const double error = error_of(reply.restitutions[index], request.restitution);
@@ -317,6 +318,10 @@ void Reach::include(double restitution) {
     lowest = std::min(lowest, restitution);
     highest = std::max(highest, restitution);
   }
+}
+
+double damping_ratio_of(const SoftRow& law) {
+  return law.damping / (2.0 * std::sqrt(law.stiffness));
 }
 
 int most_settings(std::size_t searched) {

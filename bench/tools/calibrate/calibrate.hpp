@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ struct HeldOut {
 struct Calibration {
   std::map<std::string, double> parameters;  // rounded as they are printed; empty if all failed
   std::string code;                          // the model's, with them
+  std::optional<SoftRow> law;                // of its cable, if it is a spring and a damper
   std::vector<HeldOut> held_out;
   double worst = 0.0;            // [-], of their errors; infinite where one gives no number
   double mean = 0.0;             // [-], likewise
@@ -53,6 +55,9 @@ struct Calibration {
     return failure.empty() && worst <= tolerance;
   }
 };
+
+/// The damping ratio [-] of a law, the same for every mass.
+[[nodiscard]] double damping_ratio_of(const SoftRow& law);
 
 /// How many settings it takes to search so many parameters.
 [[nodiscard]] int most_settings(std::size_t searched);

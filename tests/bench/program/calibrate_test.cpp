@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 
 #include "bench/check/strike.hpp"
@@ -215,6 +216,35 @@ TEST(CalibrateEngines, TheTendonLimitOfMujocoIsWithinFiveThousandthsAsDocumented
   expect_documented("mujoco", 0);
 }
 
+/// What an engine says of its cable, with parameters that are all fixed.
+json law_of(const std::string& engine, const std::string& model, const std::string& fixed) {
+  const Outcome outcome =
+      calibrate(engine, model, "0.5", {"--fix", fixed, "--speeds", "1..2", "--step", "1e-4"});
+  const json found = json::parse(outcome.output);
+  EXPECT_EQ(broken_rules_of(found, "calibrate"), "");
+  return found.value("law", json());
+}
+
+TEST(CalibrateEngines, TellASpringAndADamperWithTheirRestitution) {
+  if (!built_engines().contains("mujoco")) {
+    GTEST_SKIP() << "mujoco is not built";
+  }
+  const json law = law_of("mujoco", "tendon-limit", "stiffness=1e4,damping=60");
+  EXPECT_EQ(law.at("stiffness").get<double>(), 1e4);
+  EXPECT_EQ(law.at("damping").get<double>(), 60.0);
+  EXPECT_EQ(law.at("load").get<double>(), 0.9999);
+  EXPECT_NEAR(law.at("damping_ratio").get<double>(), 0.3, 1e-15);
+  // exp(-2 ratio acos(ratio) / sqrt(1 - ratio^2)), as in docs/snap.md
+  EXPECT_NEAR(law.at("restitution").get<double>(), 0.4509754529, 1e-10);
+}
+
+TEST(CalibrateEngines, TellNoLawOfACableThatIsNoSpring) {
+  if (!built_engines().contains("ode")) {
+    GTEST_SKIP() << "ode is not built";
+  }
+  EXPECT_TRUE(law_of("ode", "contact", "bounce=0.5,bounce-vel=0.01").is_null());
+}
+
 TEST(CalibrateEngines, TheContactOfBulletCannotBeHadBelowItsThresholdAsDocumented) {
   expect_documented("bullet64", 1);
 }
@@ -231,6 +261,14 @@ TEST(CalibrateEngines, TheSurfaceOfOdeNeedsNoSpeedToBounce) {
 }
 
 #ifdef TAUTLINE_NPM_ENGINES
+TEST(CalibrateEngines, TheLimitOfJoltTellsItsSpring) {
+  const std::filesystem::path jolt = std::filesystem::path(TAUTLINE_NPM_ENGINES) / "jolt";
+  const json law = law_of(jolt / "engine.toml", "distance", "damping=0.3,frequency=10");
+  EXPECT_NEAR(law.at("stiffness").get<double>(), std::pow(20.0 * std::numbers::pi, 2), 1e-9);
+  EXPECT_NEAR(law.at("damping_ratio").get<double>(), 0.3, 1e-15);
+  EXPECT_EQ(law.at("load").get<double>(), 0.0);
+}
+
 /// The mean error of a model of an engine on npm with parameters that are all fixed.
 double mean_error(const std::filesystem::path& engine, const std::string& fixed) {
   const Outcome outcome = calibrate(engine, "distance", "1", {"--fix", fixed});

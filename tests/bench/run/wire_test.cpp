@@ -45,6 +45,18 @@ TEST(Wire, ARequestComesAsItWasSent) {
   EXPECT_EQ(read.more, request.more);
 }
 
+TEST(Wire, StrikesComeWithTheLawOfTheirCable) {
+  const StrikesAnswer read = sent(StrikesAnswer{{0.5, infinite}, SoftRow{1e6, 98.7737, 0.9999}});
+  ASSERT_EQ(read.restitutions.size(), 2U);
+  EXPECT_EQ(read.restitutions[0], 0.5);
+  EXPECT_TRUE(std::isnan(read.restitutions[1]));
+  ASSERT_TRUE(read.law);
+  EXPECT_EQ(read.law->stiffness, 1e6);
+  EXPECT_EQ(read.law->damping, 98.7737);
+  EXPECT_EQ(read.law->load, 0.9999);
+  EXPECT_FALSE(sent(StrikesAnswer{{0.5}, std::nullopt}).law);
+}
+
 TEST(Wire, ARunComesBitForBit) {
   RunAnswer run;
   run.cost = {1e-7, 2e8, 3e-9, 4e-8, 5e-8, 6e-7, 0.5, 9};

@@ -14,6 +14,7 @@
 
 #include "adapter/spring_model.hpp"
 #include "analytic/support.hpp"
+#include "bench/run/record.hpp"
 #include "engines/engine_support.hpp"
 #include "tautline/elastic_contacts.hpp"
 #include "tautline/elasticity.hpp"
@@ -298,6 +299,51 @@ TEST_P(ElasticInEngine, FollowsWinchesMovingEndsCutsAndSecondContacts) {
     expect_within(model + ", 1e-3 s, off [m]", at_coarse, 0.02);
     expect_within(model + ", 1e-4 s, off [m]", at_fine,
                   0.25 * std::max(at_coarse, usual) + (in_double() ? 0.0 : 1e-3));
+  }
+}
+
+/// The same pair on the laws that only `spring` has: one force with a corner, an EA on a winch, and
+/// a damper that pushes, of `cut`.
+SpatialSystem pair_on_other_laws(ElasticCut cut) {
+  SpatialSystem result = pair_on_springs(false, true);
+  result.name = "pair on other laws";
+  result.cables[0].elasticity->corners = {{0.02, 2400.0}};
+  result.cables[1].elasticity->of_strain = true;
+  result.cables[1].length.pieces = {
+      {0.0, {Eigen::Matrix<double, 1, 1>(1.0), Eigen::Matrix<double, 1, 1>(-0.2)}}};
+  result.cables[2].elasticity->damping_ratio = 0.0;
+  result.cables[2].elasticity->damping = 20.0;
+  result.cables[2].elasticity->cut = cut;
+  return result;
+}
+
+TEST_P(ElasticInEngine, FollowsCornersStrainsAndDampersThatPush) {
+  for (const ElasticCut cut : {ElasticCut::stretch, ElasticCut::never}) {
+    const SpatialSystem system = pair_on_other_laws(cut);
+    ASSERT_EQ(problems(system), std::vector<std::string>());
+    const auto exact = solve(system);
+    double bent = 0.0;    // [m], the largest stretch of the cable with a corner
+    double pushed = 0.0;  // [N], the least tension of the damper that pushes
+    for (int k = 0; k <= 600; ++k) {
+      const SpatialSystemState state = exact.at(1e-3 * k);
+      bent = std::max(bent, -gap(system.cables[0], state));
+      pushed = std::min(pushed, exact.tensions(1e-3 * k)[2]);
+    }
+    ASSERT_GT(bent, 0.03);
+    ASSERT_LT(pushed, -0.1);
+    for (const std::string& model : stepped_models(engine())) {
+      if (is_drop_in(model)) {
+        continue;
+      }
+      const double at_coarse = farthest(exact, engine(), system, model, 1e-3);
+      const double at_fine = farthest(exact, engine(), system, model, 1e-4);
+      constexpr double usual = 2e-3;  // [m], as above
+      expect_within(model + ", 1e-3 s, off [m]", at_coarse, 0.02);
+      expect_within(model + ", 1e-4 s, off [m]", at_fine,
+                    0.25 * std::max(at_coarse, usual) + (in_double() ? 0.0 : 1e-3));
+      const auto run = engine().start_system(system, model, 1e-3);
+      EXPECT_NO_THROW(static_cast<void>(bench::record(system, *run, 1e-3))) << model;
+    }
   }
 }
 

@@ -62,7 +62,9 @@ BasicCableUse<Real> elastic_use(const std::vector<BasicElasticContact<Real>>& co
     if (contact.cable == index) {
       result.taut_share += (contact.exit.value_or(duration) - contact.entry) / duration;
       keep_largest(result.tension, contact.peak, contact.peak_time);
-      keep_largest(result.impulse, contact.impulse, contact.entry);
+      if (contact.exit) {  // of one that goes on it grows with the duration
+        keep_largest(result.impulse, contact.impulse, contact.entry);
+      }
     }
   }
   return result;

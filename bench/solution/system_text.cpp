@@ -304,7 +304,7 @@ std::string contacts_text(const BasicCheckedMotion<D>& motion, bool all,
   };
   for (std::size_t index = 0; index < shown; ++index) {
     const auto& [contact, errors] = contacts[index];
-    if (motion.horizon() && contact.entry > *motion.horizon()) {
+    if (motion.is_checked() && motion.horizon() && contact.entry > *motion.horizon()) {
       table.add(std::vector<std::string>{dash, "beyond the horizon: one of many motions"});
       break;
     }
@@ -317,7 +317,7 @@ std::string contacts_text(const BasicCheckedMotion<D>& motion, bool all,
         number(contact.peak, errors.peak),
         time(contact.peak_time, errors.peak_time),
         number(contact.greatest_stretch, errors.greatest_stretch),
-        number(contact.impulse, errors.impulse)};
+        contact.exit ? number(contact.impulse, errors.impulse) : dash};
     table.add(std::move(cells));
   }
   const std::string rest = shown < contacts.size() ? fmt::format("and {} more: --events prints all",

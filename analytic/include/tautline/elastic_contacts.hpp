@@ -21,7 +21,7 @@ struct BasicElasticContact {
   Real peak = Real(0);              // [N], the largest tension
   Real peak_time = Real(0);         // [s], of that
   Real greatest_stretch = Real(0);  // [m]
-  Real impulse = Real(0);           // [N s], the integral of the tension
+  Real impulse = Real(0);           // [N s], the integral of the tension, up to the end of the run
 };
 using ElasticContact = BasicElasticContact<double>;
 

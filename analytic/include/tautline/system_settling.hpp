@@ -22,7 +22,7 @@ template <class Real>
 struct BasicCableUse {
   Real taut_share = Real(0);                              // [-], of the run; or engaged
   std::optional<BasicPeak<Real>> tension = std::nullopt;  // [N], the largest; none: always slack
-  /// [N s], the largest: its snap, or, of an elastic cable, a whole contact.
+  /// [N s], the largest: its snap, or, of an elastic cable, a contact that ends.
   std::optional<BasicPeak<Real>> impulse = std::nullopt;
 };
 using CableUse = BasicCableUse<double>;

@@ -162,7 +162,8 @@ void fields(Visitor& visit, SamplePart& row) {
   };
   fields(visit, row.state);
   visit("gaps", list(&CableSample::gap), "of each cable [m]");
-  visit("gap_rates", list(&CableSample::gap_rate), "[m/s]");
+  visit("gap_rates", list(&CableSample::gap_rate),
+        or_null("[m/s]; null: the ends are at one point"));
   visit("tensions", list(&CableSample::tension), "[N]");
   visit("energy", row.sample.energy.*row.part, "[J]");
 }

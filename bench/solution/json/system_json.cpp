@@ -86,7 +86,7 @@ template <class Visitor, int D>
 void fields(Visitor& visit, SystemSamplePart<D>& part) {
   fields(visit, part.state);
   visit("gaps", part.of_cables[0], or_null("of each cable [m]; null: it does not act"));
-  visit("gap_rates", part.of_cables[1], "[m/s]");
+  visit("gap_rates", part.of_cables[1], or_null("[m/s]; null: the ends are at one point"));
   visit("tensions", part.of_cables[2], "[N]");
   visit("energy", part.energy, "[J]");
 }
@@ -171,7 +171,8 @@ void fields(Visitor& visit, ContactRow& contact) {
   visit("peak", contact.peak, "the largest tension [N]");
   visit("peak_time", contact.peak_time, "[s]");
   visit("greatest_stretch", contact.greatest_stretch, "[m]");
-  visit("impulse", contact.impulse, "of its tension [N s]");
+  visit("impulse", contact.impulse,
+        "of its tension [N s]; up to the end of the run, where it pulls then");
 }
 
 struct BoundedPeak {
@@ -206,7 +207,9 @@ template <class Visitor>
 void fields(Visitor& visit, CableUseRow& use) {
   visit("taut_share", use.taut_share, "of the run [-]");
   visit("tension", use.tension, "the largest [N]; null where it is always slack");
-  visit("impulse", use.impulse, "the largest: its snap [N s]; null without an impact");
+  visit(
+      "impulse", use.impulse,
+      "the largest: its snap, or of an elastic cable a contact that ends [N s]; null without one");
 }
 
 struct SystemLockRow {

@@ -59,6 +59,12 @@ TEST(SolveSystems, FastSaysThatNothingIsChecked) {
   expect_says(solved({"two-bodies", "--fast"}), "These digits are not checked");
 }
 
+TEST(SolveSystems, FastShowsTheContactsOfElasticCables) {
+  const std::string table = solved({"snap", "--fast"});
+  expect_says(table, "speed in  speed out");
+  EXPECT_EQ(table.find("beyond the horizon"), table.npos) << table;
+}
+
 /// Two bodies below each other, whose cables are hit by turns, ever faster, until both are taut.
 const char* const cascade = R"(name = "cascade"
 duration = 0.11

@@ -11,15 +11,6 @@
 namespace tautline {
 namespace {
 
-/// True for an elastic cable: it takes no impacts.
-template <class TheCase>
-bool is_elastic(const CableOf<TheCase>& cable) {
-  if constexpr (TheCase::has_several_bodies) {
-    return cable.elasticity.has_value();
-  }
-  return false;
-}
-
 /// The cables outside `cables` that could close before the bounces on `cables` are over.
 template <class TheCase, class Real = RealOf<TheCase>>
 CableSet within_reach(const TheCase& the_case, const StateOf<TheCase>& state, CableSet cables,
@@ -29,7 +20,7 @@ CableSet within_reach(const TheCase& the_case, const StateOf<TheCase>& state, Ca
   CableSet result;
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     const CableOf<TheCase>& cable = the_case.cables[index];
-    if (cables.contains(index) || is_elastic<TheCase>(cable)) {
+    if (cables.contains(index) || is_elastic(cable)) {
       continue;
     }
     const Real rate = gap_rate(cable, state);
@@ -153,7 +144,7 @@ template <class TheCase>
 bool overstretches(const TheCase& the_case, const StateOf<TheCase>& state, CableSet cables) {
   for (std::size_t index = 0; index < the_case.cables.size(); ++index) {
     const CableOf<TheCase>& cable = the_case.cables[index];
-    if (!cables.contains(index) && !is_elastic<TheCase>(cable) &&
+    if (!cables.contains(index) && !is_elastic(cable) &&
         gap(cable, state) < -rounding_margin * rounding_of_gap(cable, state)) {
       return true;
     }

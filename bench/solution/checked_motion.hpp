@@ -43,7 +43,7 @@ struct SystemSettlingErrors {
 template <int D>
 [[nodiscard]] bool has_elastic_cables(const BasicSystem<double, D>& system) {
   return std::any_of(system.cables.begin(), system.cables.end(),
-                     [](const auto& cable) { return cable.elasticity.has_value(); });
+                     [](const auto& cable) { return is_elastic(cable); });
 }
 
 /// A contact of an elastic cable, and how far each of its numbers is right, in its place; < 0 where

@@ -60,6 +60,12 @@ struct BasicCable {
 };
 using Cable = BasicCable<double>;
 
+/// True of a cable that stretches; those of a case do not.
+template <class Real>
+[[nodiscard]] constexpr bool is_elastic(const BasicCable<Real>& /*cable*/) {
+  return false;
+}
+
 /// Where the body is and how it moves.
 template <class Real>
 struct BasicState {

@@ -76,6 +76,7 @@ struct ElasticSwitches {
   CableSet passing;     // past their next corner
   CableSet returning;   // back to before their last one
 
+  /// Those that do any of it.
   [[nodiscard]] CableSet all() const { return engaging | letting_go | passing | returning; }
   [[nodiscard]] bool empty() const { return all().empty(); }  // no cable does
 };

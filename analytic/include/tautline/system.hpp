@@ -88,6 +88,12 @@ struct BasicCableOfSystem {
 using CableOfSystem = BasicCableOfSystem<double, 2>;  // in double, in the plane
 using SpatialCable = BasicCableOfSystem<double, 3>;   // in double, in space
 
+/// True of a cable that stretches.
+template <class Real, int D>
+[[nodiscard]] bool is_elastic(const BasicCableOfSystem<Real, D>& cable) {
+  return cable.elasticity.has_value();
+}
+
 /// The places of a system's bodies at a time, and their velocities.
 template <class Real, int D>
 struct BasicSystemState {

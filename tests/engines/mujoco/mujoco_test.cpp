@@ -165,8 +165,8 @@ TEST_F(Mujoco, TendonLimitsBounceAsTheClosedFormsSay) {
   expect_first_order("restitution and peak", into_the_cable(0.0), 0.01, bounce);
 }
 
-// a spring of this frequency sags by g / w^2 = 4 mm; the limit lets a body fall for less than a step
-// dt at a time, and a speed of g dt stretches it by g dt / w at most
+// a spring of this frequency sags by g / w^2 = 4 mm; the limit lets a body fall for less than a
+// step dt at a time, and a speed of g dt stretches it by g dt / w at most
 TEST_F(Mujoco, ATendonLimitTakesOverTheLoad) {
   constexpr double weight = 9.81;  // [m/s^2]
   constexpr double settled = 2.0;  // [s]

@@ -49,13 +49,6 @@ namespace tautline {
   return cable.length.at(state.time)[0];
 }
 
-/// True of a cable that stretches (E1); none does in the plane.
-[[nodiscard]] inline bool is_elastic(const Cable& /*cable*/) { return false; }
-/// In a system one may.
-[[nodiscard]] inline bool is_elastic(const SpatialCable& cable) {
-  return cable.elasticity.has_value();
-}
-
 /// The mass of the heaviest body [kg].
 [[nodiscard]] inline double heaviest(const Case& the_case) { return the_case.body.mass; }
 /// One of those of a system.

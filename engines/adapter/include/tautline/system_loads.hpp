@@ -147,7 +147,7 @@ class CableRefused : public std::invalid_argument {
         index_(index),
         why_(std::move(why)) {}
 
-  [[nodiscard]] std::size_t index() const { return index_; }
+  [[nodiscard]] std::size_t index() const { return index_; }  // of the cable
 
   /// This refusal with another number of the cable.
   [[nodiscard]] CableRefused of(std::size_t other) const { return {what_, other, why_}; }

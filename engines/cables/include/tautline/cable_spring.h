@@ -158,6 +158,7 @@ class CableSpring {
     double dt;            // [s]
     bool in_parabola;     // forces move the bodies by half of their change of the velocity
 
+    /// The start that the rule of the cable has, with what it does not have.
     template <typename StartOfRule>
     Start(const StartOfRule& at, double the_inverse_mass, bool parabola)
         : stretch(-at.gap),
@@ -173,13 +174,13 @@ class CableSpring {
   /// The row of a step: a gap rate of at least `rate` by an impulse >= 0, and each N s of it lets
   /// the rate be smaller by `compliance`.
   struct Row {
-    bool acts;
+    bool acts;          // else it is slack all the step
     double rate;        // [m/s]
     double compliance;  // [1/kg]
   };
 
   bool is_elastic() const { return !law_.stiffness.empty(); }  // else the rule has the cable
-  const CableElasticity& law() const { return law_; }
+  const CableElasticity& law() const { return law_; }          // as it was set last
   /// A law without problem.
   void set(const CableElasticity& law) {
     law_ = law;

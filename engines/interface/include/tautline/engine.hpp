@@ -70,6 +70,7 @@ enum class Cables {
                  // inextensible ones; a system without an elastic cable is refused
   any,           // all inextensible, all elastic, or of both kinds
 };
+/// Its word in JSON.
 [[nodiscard]] constexpr const char* to_string(Cables cables) {
   switch (cables) {
     case Cables::inextensible:

@@ -62,7 +62,7 @@ inline void check_parameters(const Model& model, const RunSettings& settings) {
 /// In a system some may be elastic.
 [[nodiscard]] inline std::optional<std::size_t> first_elastic(const SpatialSystem& system) {
   const auto found = std::ranges::find_if(
-      system.cables, [](const SpatialCable& cable) { return cable.elasticity.has_value(); });
+      system.cables, [](const SpatialCable& cable) { return is_elastic(cable); });
   return found == system.cables.end()
              ? std::nullopt
              : std::optional(static_cast<std::size_t>(found - system.cables.begin()));

@@ -263,8 +263,12 @@ class SystemChecker {
     const double response = row.dot(row.cwiseProduct(inverse_mass(system_.bodies)));
     const double first = law.stiffness.front();
     double stiffest = first;
-    for (const Corner& corner : law.corners) {
-      stiffest = std::max(stiffest, corner.stiffness);
+    std::string to_lower = stiffness_key(law);
+    for (std::size_t i = 0; i < law.corners.size(); ++i) {
+      if (law.corners[i].stiffness > stiffest) {
+        stiffest = law.corners[i].stiffness;
+        to_lower = stiffness_key(law) + (" of corners[" + std::to_string(i) + "]");
+      }
     }
     const double base = base_of(law, cable.length.at(0.0)[0]);
     const double frequency = std::sqrt(stiffest / base * response);
@@ -280,11 +284,14 @@ class SystemChecker {
                  " N s/m");
     } else if (fastest > most) {
       const double share = most / fastest;
+      const std::string restitution =  // of a contact that ends where the tension is 0 (E6)
+          law.cut == ElasticCut::force
+              ? " with restitution " + text(restitution_of(ratio)) + ", which its contacts have"
+              : "";
       wrong_.add(cable_name(index) + ": its frequency, " + text(fastest) +
                  " rad/s, must be at most " + text(most) + " rad/s for a duration of " +
-                 text(system_.duration) + " s: make it inextensible with restitution " +
-                 text(restitution_of(ratio)) + ", which its contacts have, or lower its " +
-                 stiffness_key(law) + " to " + text(stiffest * share * share) +
+                 text(system_.duration) + " s: make it inextensible" + restitution +
+                 ", or lower its " + to_lower + " to " + text(stiffest * share * share) +
                  (law.of_strain ? " N" : " N/m"));
     }
   }

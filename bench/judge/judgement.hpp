@@ -40,7 +40,8 @@ struct Judgement {
   Expected impacts;
   double overstretch = 0.0;  // [-], in units of what a step explains
   /// [-], the largest rise outside contacts, in units of m a v step; none where something drives
-  /// the bodies, or where a cable is elastic, which stores energy and gives it back.
+  /// the bodies, or where a cable is elastic: a step that is stable lets the sum of kinetic and
+  /// stored energy swing by its frequency times the step.
   std::optional<double> energy;
   double flight = 0.0;  // [-], of gravity: by what the acceleration in flight is off
   /// [-], by what a flight changes an angular momentum that nothing changes, at most, in units of

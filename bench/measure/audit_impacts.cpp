@@ -9,6 +9,7 @@
 #include "bench/measure/audit_lost.hpp"
 #include "bench/measure/impact_match.hpp"
 #include "tautline/case_or_system.hpp"
+#include "tautline/elastic_step.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -115,6 +116,12 @@ double falling(const SpatialSystem& system, std::size_t index, const SpatialSyst
   return std::abs(by_forces) + std::abs(free_gap_acceleration(system, index, still) - by_forces);
 }
 
+/// `state` with what elastic cables pull at, which no run tells; there are none in the plane.
+const State& with_pulls(const Case& /*the_case*/, const State& state) { return state; }
+SpatialSystemState with_pulls(const SpatialSystem& system, const SpatialSystemState& state) {
+  return with_zones_of_step(system, state);
+}
+
 /// True where the exact motion stays on one line through the only cable's anchor, and so do its
 /// bounces: the body falls back as high as it rose.
 bool bounces_straight(const ReferenceCase& reference) {
@@ -142,10 +149,12 @@ template <class TheCase>
 double change_of_rates(const TheCase& the_case, std::size_t index, const StateOf<TheCase>& before,
                        const StateOf<TheCase>& after) {
   const auto& cable = the_case.cables[index];
-  const double flown = std::max(std::abs(free_gap_acceleration(the_case, index, before)),
-                                std::abs(free_gap_acceleration(the_case, index, after)));
+  const StateOf<TheCase> pulled = with_pulls(the_case, before);
+  const double flown =
+      std::max(std::abs(free_gap_acceleration(the_case, index, pulled)),
+               std::abs(free_gap_acceleration(the_case, index, with_pulls(the_case, after))));
   const double turned = std::abs(gap_gradient_rate(cable, before).dot(motion_of(after)));
-  const double fallen = falling(the_case, index, before);
+  const double fallen = falling(the_case, index, pulled);
   return restitution(cable, gap_rate(cable, before)) * flown + turned + fallen;
 }
 

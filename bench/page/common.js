@@ -14,7 +14,7 @@
     }
   }
 
-  const asked = new Map(report.cases.map((row) => [row.name, (row.geometry ?? row.system.cables)[0]?.restitution]));
+  const asked = new Map(report.cases.map((row) => [row.name, (row.geometry ?? row.system.cables).find((cable) => !cable.elasticity)?.restitution]));
   for (const run of report.runs) {
     run.status ??= 'finished'; // which nearly all are
     if (run.e) {

@@ -142,6 +142,27 @@ void print_check(const EngineInfo& info, const CheckedModel& checked) {
   fmt::print("{}\n{}\n", table.plain(style), wrapped(verdict(checked), style.text));
 }
 
+/// The models of `info` that are checked: the claims are about inextensible cables.
+std::vector<std::string> checked_models(const EngineInfo& info, bool checked = true) {
+  std::vector<std::string> result;
+  for (const Model& model : info.models) {
+    if ((model.cables != Cables::elastic) == checked) {
+      result.push_back(model.name);
+    }
+  }
+  return result;
+}
+
+/// Which models are left out, and why; "" where none is.
+std::string left_out(const EngineInfo& info) {
+  const std::vector<std::string> names = checked_models(info, false);
+  return names.empty() ? ""
+                       : fmt::format(
+                             " The claims are about inextensible cables, and {} {} elastic "
+                             "ones alone: not checked.",
+                             joined(names, "and"), names.size() == 1 ? "runs" : "run");
+}
+
 /// The last sentence: of all models together.
 std::string closing(const EngineInfo& info, const std::vector<CheckedModel>& models) {
   std::vector<std::string> unsound;
@@ -170,8 +191,18 @@ std::vector<std::string> usage_problems(const CheckCommand& command, const Engin
   if (!(command.time_limit > 0.0)) {
     broken.push_back(fmt::format("--time-limit {}: must be above 0 [s]", command.time_limit));
   }
-  if (choice.problems.empty() && !command.model.empty() && choice.engines.front().info) {
-    append(broken, unknown_models(choice.engines, {command.model}));
+  if (choice.problems.empty() && choice.engines.front().info) {
+    const EngineInfo& info = *choice.engines.front().info;
+    const std::vector<std::string> checked = checked_models(info);
+    if (!command.model.empty()) {
+      append(broken, unknown_models(choice.engines, {command.model}));
+    }
+    if (broken.empty() &&
+        (command.model.empty() ? checked.empty()
+                               : std::ranges::count(checked, command.model) == 0)) {
+      broken.push_back(
+          fmt::format("engine {} has nothing to check here.{}", info.name, left_out(info)));
+    }
   }
   return broken;
 }
@@ -200,9 +231,7 @@ int check_command(const CheckCommand& command) {
   catch_interruption();
   std::vector<CheckedModel> models;
   for (const Model& model : engine.info->models) {
-    const bool has_no_claims =
-        model.cables == Cables::elastic;  // they are about inextensible cables
-    if (command.model.empty() ? has_no_claims : model.name != command.model) {
+    if (command.model.empty() ? model.cables == Cables::elastic : model.name != command.model) {
       continue;
     }
     WorkerLimits limits;
@@ -219,7 +248,8 @@ int check_command(const CheckCommand& command) {
     }
   }
   if (command.json.empty()) {
-    fmt::print("{}", wrapped(closing(*engine.info, models), output_style().text));
+    const std::string others = command.model.empty() ? left_out(*engine.info) : "";
+    fmt::print("{}", wrapped(closing(*engine.info, models) + others, output_style().text));
   } else {
     write_output(command.json, check_json(engine, models));
   }

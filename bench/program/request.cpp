@@ -36,9 +36,8 @@ const Suite* suite_of(const BenchCommand& command, std::vector<std::string>& pro
   }
   const Suite* suite = find_suite(*command.suite);
   if (suite == nullptr) {
-    const std::vector<std::string> names = listed<std::string>(suites(), &Suite::name);
     problems.push_back(
-        fmt::format("--suite {}: must be {}", printable(*command.suite), joined(names, "or")));
+        fmt::format("--suite {}: must be {}", printable(*command.suite), suite_names("or")));
   }
   return suite;
 }
@@ -271,7 +270,7 @@ void add_bench_options(CLI::App& command, BenchCommand& asked) {
   command.add_option("CASES", asked.cases, std::string(case_help) + ". Without: --suite quick");
   command
       .add_option("--suite", asked.suite,
-                  "a selection of shipped cases: quick, chapter, all, space or systems; see below")
+                  "a selection of shipped cases: " + suite_names("or") + "; see below")
       ->option_text("SUITE");
   command
       .add_option("--engines,--engine", asked.engines,

@@ -164,9 +164,9 @@ void add_runs(CLI::App& command, BenchCommand& runs) {
                   std::string(case_help) + ", several with commas. Without: --suite quick")
       ->delimiter(',');
   command
-      .add_option("--suite", runs.suite,
-                  "a selection of shipped cases: quick, chapter, all, space or systems; see "
-                  "`tautline help bench`")
+      .add_option(
+          "--suite", runs.suite,
+          "a selection of shipped cases: " + suite_names("or") + "; see `tautline help bench`")
       ->option_text("SUITE");
   command.add_option("--models", runs.models, "only these models: row,event (default: all)")
       ->option_text("MODELS")

@@ -193,15 +193,25 @@ struct EndRow {
   std::vector<double> at;             // x, y, z [m], in the body's frame or the world
   std::optional<FunctionRow> motion;  // [m], added to it; none: it stays there
 };
+/// How an elastic cable pulls: the numbers of its `Elasticity`.
+struct ElasticityRow {
+  std::vector<double> stiffness;             // [N/m, N/m^2, ...], or [N] where it is of the strain
+  std::vector<std::vector<double>> corners;  // stretch or strain, and the stiffness from there on
+  bool of_strain = false;
+  double damping = 0.0;        // [N s/m]
+  double damping_ratio = 0.0;  // [-]
+  std::string cut;             // force, stretch or never
+};
 struct SystemCableRow {
   EndRow from;
   std::vector<EndRow> through;
   EndRow to;
-  double length = 0.0;                          // [m], at the start
-  std::optional<double> restitution;            // none where it depends on the speed
+  double length = 0.0;                // [m], at the start
+  std::optional<double> restitution;  // none where it depends on the speed, or of an elastic cable
   std::optional<FunctionRow> length_over_time;  // [m]; none: it stays as it is
   std::optional<double> from_time;              // [s], when it is hooked up; none: from the start
   std::optional<double> cut_at;                 // [s]; none: never
+  std::optional<ElasticityRow> elasticity;      // none: it is inextensible
 };
 struct SystemBodyRow {
   std::string name;
@@ -244,15 +254,21 @@ struct CaseRow {
     static const std::vector<CableRow> none;
     return plane ? plane->geometry : none;
   }
-  /// The restitution that all cables have [-]; none where they differ or it depends on the speed.
+  /// The restitution that all inextensible cables have [-]; none where there are none, they differ
+  /// or it depends on the speed.
   [[nodiscard]] std::optional<double> asked_restitution() const {
-    const auto of_all = [](const auto& all) -> std::optional<double> {
-      const bool same = std::all_of(all.begin(), all.end(), [&](const auto& cable) {
-        return cable.restitution == all.front().restitution;
-      });
-      return same && !all.empty() ? all.front().restitution : std::nullopt;
-    };
-    return system ? of_all(system->cables) : of_all(geometry());
+    std::vector<std::optional<double>> asked;
+    for (const CableRow& cable : geometry()) {
+      asked.push_back(cable.restitution);
+    }
+    for (const SystemCableRow& cable : system ? system->cables : std::vector<SystemCableRow>()) {
+      if (!cable.elasticity) {
+        asked.push_back(cable.restitution);
+      }
+    }
+    const bool same = std::count(asked.begin(), asked.end(), asked.empty() ? 0.0 : asked.front()) ==
+                      static_cast<std::ptrdiff_t>(asked.size());
+    return same && !asked.empty() ? asked.front() : std::nullopt;
   }
 };
 
@@ -452,6 +468,12 @@ struct Report {
   std::optional<Distributions> distributions;  // none where no draws were asked for
   Context context;
   std::string live_page;  // where it is, for links of the page; empty: nowhere. Not in JSON
+
+  /// True where runs have contacts of elastic cables.
+  [[nodiscard]] bool has_contacts() const {
+    return std::any_of(runs.begin(), runs.end(),
+                       [](const RunRow& run) { return run.details && run.details->contacts; });
+  }
 };
 
 }  // namespace tautline::bench

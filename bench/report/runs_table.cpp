@@ -21,11 +21,6 @@ constexpr Digits as_restitution = fixed(4);
 
 bool is_shown(const Metric& metric) { return metric.shown != Shown::nowhere; }
 
-bool has_contacts(const Report& report) {
-  return std::ranges::any_of(
-      report.runs, [](const RunRow& run) { return run.details && run.details->contacts; });
-}
-
 /// A report without elastic cables has none of them.
 std::vector<Column> contact_columns() {
   const std::string contacts = "contacts to the horizon";
@@ -78,7 +73,7 @@ std::vector<Column> columns_of(const Report& report, bool with_case) {
       number_column("cost", "flights", "", "cost"),
       word_column("how it ended", "status")};
   columns.insert(columns.end(), others.begin(), others.end());
-  if (has_contacts(report)) {
+  if (report.has_contacts()) {
     const std::vector<Column> contacts = contact_columns();
     columns.insert(columns.end() - 2, contacts.begin(), contacts.end());
   }
@@ -154,7 +149,7 @@ struct Lookup {
   std::map<RunKey, double> cost;
   bool has_contacts = false;
 
-  explicit Lookup(const Report& report) : has_contacts(bench::has_contacts(report)) {
+  explicit Lookup(const Report& report) : has_contacts(report.has_contacts()) {
     for (const CaseRow& the_case : report.cases) {
       restitution.emplace(the_case.name, the_case.asked_restitution());
       title.emplace(the_case.name, the_case.title);

@@ -119,16 +119,22 @@ std::string in_words(std::string_view name) {
 }
 
 std::vector<std::string> how_to_read(const Report& report) {
-  return {words::about_control,
-          fmt::format(words::about_position, "impacts"_a = report.options.early_impacts),
-          words::about_horizon,
-          fmt::format(words::about_impacts, "speed"_a = report.options.count_speed),
-          words::about_settling,
-          words::about_restitution,
-          words::about_energy,
-          words::about_cost,
-          words::about_stops,
-          fmt::format(words::about_verdicts, "verdicts"_a = verdict_words())};
+  std::vector<std::string> result = {
+      words::about_control,
+      fmt::format(words::about_position, "impacts"_a = report.options.early_impacts),
+      words::about_horizon,
+      fmt::format(words::about_impacts, "speed"_a = report.options.count_speed),
+      words::about_settling,
+      words::about_restitution,
+      words::about_energy,
+      words::about_cost,
+      words::about_stops,
+      fmt::format(words::about_verdicts, "verdicts"_a = verdict_words())};
+  if (report.has_contacts()) {
+    result.insert(std::find(result.begin(), result.end(), words::about_energy),
+                  words::about_contacts);
+  }
+  return result;
 }
 
 std::string_view meaning_of(Word word) {

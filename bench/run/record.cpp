@@ -319,7 +319,8 @@ class ContactRecorder {
         continue;
       }
       std::optional<ElasticContact>& contact = open_[index];
-      // a damper that is not cut pushes before the cable is slack, and one without end acts after
+      // with the cut `stretch` the impulse may be below 0 before the cable is slack, and with
+      // `never` it goes on after: only what a stretched cable does is of the contact
       const bool stretched = gap(cable, after) < 0.0;
       const bool acts = impulses[index] > 0.0 ? stretched || gap(cable, before) < 0.0
                                               : impulses[index] < 0.0 && stretched;

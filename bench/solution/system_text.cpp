@@ -210,8 +210,9 @@ class Sentences {
                             time(lock.time, errors_.lock));
     }
     if (lock.ring_down) {
-      result += fmt::format(" A stretch rings down to 1/e in {}, the slowest of these cables.",
-                            time(*lock.ring_down, errors_.ring_down));
+      result += fmt::format(
+          " The swing of a stretch falls to 1/e within {}, on the slowest of these cables.",
+          number(*lock.ring_down, errors_.ring_down));
     }
     return result;
   }

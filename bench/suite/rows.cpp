@@ -10,6 +10,7 @@
 
 #include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
+#include "bench/cases/elasticity_table.hpp"
 #include "bench/cases/title.hpp"
 #include "bench/data/coordinates.hpp"
 #include "bench/judge/judgement.hpp"
@@ -231,6 +232,23 @@ EndRow end_row(const SpatialEnd& end) {
           over_time(end.motion)};
 }
 
+/// How `cable` stretches; none if it does not.
+std::optional<ElasticityRow> elasticity_row(const SpatialCable& cable) {
+  if (!is_elastic(cable)) {
+    return std::nullopt;
+  }
+  const Elasticity& law = *cable.elasticity;
+  const auto numbers = [](const Corner& corner) {
+    return std::vector<double>{corner.stretch, corner.stiffness};
+  };
+  return ElasticityRow{.stiffness = law.stiffness,
+                       .corners = listed(law.corners, numbers),
+                       .of_strain = law.of_strain,
+                       .damping = law.damping,
+                       .damping_ratio = law.damping_ratio,
+                       .cut = cut_words[static_cast<std::size_t>(law.cut)]};
+}
+
 /// From when on a run of these steps is judged no longer, and what it can be read by.
 template <class TheReference>
 void add_predictable(const BasicExpectation<TheReference>& expectation,
@@ -267,8 +285,9 @@ CaseRow case_row(const ReferenceSystem& reference, double count_speed) {
     shown.cables.push_back(
         {end_row(cable.from), listed(cable.through, end_row), end_row(cable.to),
          cable.length.at(0.0)[0],
-         depends_on_speed(cable) ? std::nullopt : std::optional(cable.restitution),
-         over_time(cable.length), cable.from_time, cable.cut_at});
+         depends_on_speed(cable) || is_elastic(cable) ? std::nullopt
+                                                      : std::optional(cable.restitution),
+         over_time(cable.length), cable.from_time, cable.cut_at, elasticity_row(cable)});
   }
   row.extent = drawn_extent(reference);
   return row;

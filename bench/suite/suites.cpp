@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "bench/base/listed.hpp"
+#include "bench/base/text.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -78,6 +79,10 @@ std::span<const Suite> suites() {
 }
 
 const Suite* find_suite(std::string_view name) { return find_by(suites(), &Suite::name, name); }
+
+std::string suite_names(const std::string& last_word) {
+  return joined(listed<std::string>(suites(), &Suite::name), last_word);
+}
 
 std::vector<std::string> cases_of(const Suite& suite) {
   return listed<std::string>(suite.entries, &SuiteCases::cases);

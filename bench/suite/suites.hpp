@@ -30,6 +30,9 @@ struct Suite {
 /// Null if there is none of this name.
 [[nodiscard]] const Suite* find_suite(std::string_view name);
 
+/// All their names, with `last_word` before the last: "a, b or c".
+[[nodiscard]] std::string suite_names(const std::string& last_word);
+
 /// Names and patterns, as `select_cases` takes them.
 [[nodiscard]] std::vector<std::string> cases_of(const Suite& suite);
 

@@ -17,12 +17,12 @@ namespace tautline {
 [[nodiscard]] inline const char* missing_in_drop_in(const SpatialCable& cable) {
   const Elasticity& law = *cable.elasticity;
   if (!law.corners.empty()) {
-    return "its force has no corners; a polynomial has none";
+    return "it takes no corners, but a polynomial";
   }
   if (law.of_strain && !cable.length.is_constant()) {
-    return "an EA needs a length that does not vary";
+    return "it takes an EA only of a length that does not vary";
   }
-  return law.cut == ElasticCut::force ? nullptr : "it is cut where its tension falls to zero alone";
+  return law.cut == ElasticCut::force ? nullptr : "it takes no other cut than force";
 }
 
 /// The law of `cable`, one of `system`; of an inextensible one it has no stiffness. Throws

@@ -81,12 +81,28 @@ void fields(Visitor& visit, EndRow& end) {
 }
 
 template <class Visitor>
+void fields(Visitor& visit, ElasticityRow& law) {
+  visit("stiffness", law.stiffness,
+        "of the stretch, of its square and so on [N/m, N/m^2, ...]; of the strain [N]");
+  visit("of_strain", law.of_strain, "the force is one of the stretch over the length");
+  visit("corners", law.corners,
+        "stretch [m], or strain, and the stiffness from there on, in place of higher powers");
+  visit("damping", law.damping, at_least(0, "[N s/m]"));
+  visit("damping_ratio", law.damping_ratio, at_least(0, "in its place"));
+  visit("cut", law.cut, one_of({"force", "stretch", "never"}));
+}
+
+template <class Visitor>
 void fields(Visitor& visit, SystemCableRow& cable) {
   visit("from", cable.from);
   visit("through", cable.through, "rings, in order");
   visit("to", cable.to);
   visit("length", cable.length, "at the start [m]");
-  visit("restitution", cable.restitution, "null where it depends on the speed");
+  visit("restitution", cable.restitution,
+        "null where it depends on the speed, and of an elastic cable");
+  visit.unless_missing("elasticity", cable.elasticity, [](auto& inside, ElasticityRow& law) {
+    inside("elasticity", law, "how it stretches; it does not without this");
+  });
   visit.unless_missing("length_over_time", cable.length_over_time,
                        [](auto& inside, FunctionRow& length) {
                          inside("length_over_time", length, "where it changes [m]");

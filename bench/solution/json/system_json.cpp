@@ -237,7 +237,9 @@ void fields(Visitor& visit, SystemLockRow& lock) {
       "one_percent", lock.one_percent,
       "when drag or dampers have taken 99 % of what it is at `time` [s]; null: not within the run");
   visit("ring_down", lock.ring_down,
-        "in which the stretch of a damped elastic cable rings down to 1/e, the longest of these "
+        "in which the swing of the stretch of a damped elastic cable falls to 1/e, at its "
+        "stiffness at "
+        "the end; the longest of these "
         "cables [s]; null: none of them is damped and elastic");
 }
 

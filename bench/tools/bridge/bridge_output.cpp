@@ -167,7 +167,8 @@ constexpr const char* how_to_read_rows =
     "from the "
     "row before. Error of e: the largest of exit speed over entry speed, less the restitution.";
 constexpr const char* how_to_read_shifts =
-    "By how many seconds each contact of an elastic cable begins later than the impact.";
+    "By how many seconds each contact of an elastic cable begins later than the impact; below 0 it "
+    "begins earlier.";
 
 /// The numbers that fall with the stiffness, in a picture.
 constexpr std::pair<const char*, double BridgeRow::*> falling[] = {

@@ -338,7 +338,11 @@ TEST(LawsOfElasticity, HaveOneSentenceForEachProblem) {
   Elasticity cubic = with_corners(soft, {{0.1, 2e3}});
   cubic.stiffness = {1e3, 0.0, 1e3};
   expect_words(cubic, "corners go on from one stiffness, and 3 coefficients are given");
-  expect_words(with_corners(soft, {{0.1, 1e15}}), "or lower its stiffness to ");
+  expect_words(with_corners(soft, {{0.1, 1e15}}), "or lower its stiffness of corners[0] to ");
+  Elasticity pushing = with_ratio(1e15, 0.3);
+  pushing.cut = ElasticCut::stretch;  // its contacts have another restitution than (E6)
+  expect_words(pushing, "s: make it inextensible, or lower its stiffness to ");
+  expect_words(with_ratio(1e15, 0.3), "make it inextensible with restitution 0.45097545");
   expect_words(of_strain(-5.0, 0.0), "EA -5 must be a finite number above 0 [N]");
   expect_words(of_strain(1e15, 0.0), "or lower its EA to ");
   Elasticity falls = of_strain(1e2, 0.0);

@@ -63,12 +63,24 @@ void measure(const BasicSystem<double, D>& system, Tally& tally) {
   tally.gained = std::max(tally.gained, -std::min(ledger.impacts, ledger.dissipated) / range);
 }
 
+#ifdef TAUTLINE_SANITIZED
+constexpr double patience = 50.0;  // [s]: sanitizers slow this down tenfold
+#else
+constexpr double patience = 5.0;  // [s] of processor time
+#endif
+
 void report(const Tally& tally) {
   std::printf("%d solved; endings:", tally.solved);
-  for (const int count : tally.endings) {
-    std::printf(" %d", count);
+  int whole = 0;
+  for (std::size_t i = 0; i < tally.endings.size(); ++i) {
+    const auto ending = static_cast<Ending>(i);
+    whole += ending == Ending::reached_duration || ending == Ending::rest ? tally.endings[i] : 0;
+    std::printf(" %d", tally.endings[i]);
   }
-  std::printf("; slowest %.2f s\n", tally.slowest);
+  std::printf("\n");
+  // a winch draws some into a dead point or a ring, and some have more than 2000 events
+  expect_within("part that ends early [-]", 1.0 - static_cast<double>(whole) / tally.solved, 0.05);
+  expect_within("slowest [s]", tally.slowest, patience);
   expect_within("overstretch [-]", tally.overstretch, 1e-12);
   expect_within("ledger [-]", tally.residual, 1e-12);
   expect_within("energy gained in impacts and elastic cables [-]", tally.gained, 1e-12);
@@ -78,10 +90,14 @@ void report(const Tally& tally) {
 constexpr int drawn_in_space = 30;  // sanitizers slow this down tenfold
 constexpr int drawn_in_plane = 50;
 constexpr int scanned = 8;
+constexpr int elastic_in_plane = 12;
+constexpr int elastic_in_space = 8;
 #else
 constexpr int drawn_in_space = 1000;
 constexpr int drawn_in_plane = 2000;
 constexpr int scanned = 200;
+constexpr int elastic_in_plane = 300;
+constexpr int elastic_in_space = 200;
 #endif
 
 TEST(RandomSystems, NeverOverstretchAndTheirLedgersClose) {
@@ -410,33 +426,45 @@ BasicSystem<double, D> with_elastic_cables(Random& random, BasicSystem<double, D
   return system;
 }
 
-TEST(RandomSystems, OnElasticCablesKeepTheirEnergy) {
-  Random random(41);
-  Tally tally;
-  for (int i = 0; i < drawn_in_space / 3; ++i) {
-    const System system = random_system(random);
-    const System stretched = with_elastic_cables(random, system);
-    if (problems(stretched).empty()) {
-      SCOPED_TRACE("system " + std::to_string(i));
-      measure(stretched, tally);
+/// Random systems on elastic cables, and on some of both kinds.
+System elastic_in_the_plane(Random& random) {
+  const System system = random_system(random);
+  return with_elastic_cables(random, system);
+}
+SpatialSystem elastic_in_the_space(Random& random) {
+  const SpatialSystem system = random_spatial_system(random);
+  return with_elastic_cables(random, system);
+}
+
+constexpr std::uint64_t elastic_seed = 4102;  // the same systems keep their energy and are scanned
+
+/// Measures `count` systems that `draw` gives.
+template <class Draw>
+void measure_random_systems(int count, const Draw& draw, Tally& tally) {
+  Random random(elastic_seed);
+  const int all = tally.solved + count;
+  while (tally.solved < all) {
+    const auto system = draw(random);
+    if (problems(system).empty()) {
+      SCOPED_TRACE("system " + std::to_string(tally.solved));
+      measure(system, tally);
     }
   }
-  EXPECT_GT(tally.solved, drawn_in_space / 6);
+}
+
+TEST(RandomSystems, OnElasticCablesKeepTheirEnergy) {
+  Tally tally;
+  measure_random_systems(elastic_in_plane, elastic_in_the_plane, tally);
+  measure_random_systems(elastic_in_space, elastic_in_the_space, tally);
   report(tally);
 }
 
 TEST(RandomSystems, OnElasticCablesMissNoSwitch) {
-  scan_random_systems<2>(4102, scanned * 3 / 4, [](Random& random) {
-    const System system = random_system(random);
-    return with_elastic_cables(random, system);
-  });
+  scan_random_systems<2>(elastic_seed, elastic_in_plane, elastic_in_the_plane);
 }
 
 TEST(RandomSystems, OnElasticCablesMissNoSwitchInSpace) {
-  scan_random_systems<3>(4103, scanned / 2, [](Random& random) {
-    const SpatialSystem system = random_spatial_system(random);
-    return with_elastic_cables(random, system);
-  });
+  scan_random_systems<3>(elastic_seed, elastic_in_space, elastic_in_the_space);
 }
 
 TEST(DenseScan, SeesAnArcThatGoesOnPastItsImpact) {

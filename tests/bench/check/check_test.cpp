@@ -218,6 +218,19 @@ std::string unwrapped(std::string text) {
   return text;
 }
 
+TEST(Check, RefusesAModelOfElasticCablesAlone) {
+  if (!built_engines().contains("ode")) {
+    GTEST_SKIP() << "ode is not built";
+  }
+  const Outcome outcome = program({"check", "ode", "--model", "spring"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(unwrapped(outcome.errors)
+                .find("engine ode has nothing to check here. The claims are about inextensible "
+                      "cables, and spring runs elastic ones alone: not checked."),
+            std::string::npos)
+      << outcome.errors;
+}
+
 TEST(Check, SaysWhichClaimsInSpaceDoNotApplyAndCountsTheOthers) {
   const std::string in_the_plane = unwrapped(program({"check", bad_engine("sound")}).output);
   EXPECT_NE(in_the_plane.find("All 21 claims hold. Claims that do not apply: space-echo, "

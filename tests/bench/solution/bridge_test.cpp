@@ -84,6 +84,7 @@ TEST(Bridge, FallsWithTheRootOfTheStiffness) {
     ASSERT_GE(bridge.rows.size(), 5U) << name_of(any);
     ASSERT_TRUE(bridge.deviation_slope && bridge.shift_slope);
     EXPECT_NEAR(*bridge.deviation_slope, expected_slope, slope_tolerance) << name_of(any);
+    EXPECT_NEAR(*bridge.shift_slope, expected_slope, slope_tolerance) << name_of(any);
     // the first contact begins with the impact, and every later one at another instant
     EXPECT_NEAR(bridge.rows.back().contacts.front().shift, 0.0, 1e-12) << name_of(any);
     EXPECT_NE(bridge.rows.back().contacts.back().shift, 0.0) << name_of(any);

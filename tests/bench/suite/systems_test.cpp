@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "bench/cases/bench_case.hpp"
 #include "bench/measure/compare.hpp"
@@ -14,6 +15,7 @@
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
 #include "tests/bench/program.hpp"
+#include "tests/bench/schema.hpp"
 
 namespace tautline::test {
 namespace {
@@ -78,6 +80,52 @@ TEST(SystemBench, ComparesModelsThatTakeSystemsWithTheirExactMotion) {
       content_of(folder.path() / "out/runs/tethered-ball/ode/row/0.01/trajectory.csv");
   EXPECT_TRUE(csv.starts_with("time,ball_x,ball_y,ball_z,ball_qw,")) << csv.substr(0, 100);
   EXPECT_NE(csv.find("ball_wz,event,tension_0\n0,"), std::string::npos) << csv.substr(0, 200);
+}
+
+/// How many cells a line of a table of Markdown has.
+std::ptrdiff_t cells_of(const std::string& line) {
+  return std::count(line.begin(), line.end(), '|') - 1;
+}
+
+TEST(SystemBench, ComparesContactsOfElasticCables) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  const Outcome outcome = program({"bench", "snap", "elastic-strop", "--engines", "exact",
+                                   "--steps", "1e-3", "--no-certify", "--out", out});
+  EXPECT_EQ(outcome.code, 0) << outcome.errors << outcome.output;
+  const json report = json::parse(content_of(folder.path() / "out" / "report.json"));
+  EXPECT_EQ(broken_rules_of(report, "bench"), "");
+  for (const json& the_case : report.at("cases")) {
+    for (const json& cable : the_case.at("system").at("cables")) {
+      // a report asks an elastic cable for its law, and an inextensible one for its restitution
+      EXPECT_NE(cable.contains("elasticity"), cable.at("restitution").is_number());
+    }
+  }
+  const json& law = report.at("cases").at(0).at("system").at("cables").at(0).at("elasticity");
+  EXPECT_EQ(law.at("stiffness"), json({1e4}));
+  EXPECT_EQ(law.at("cut"), "force");
+  for (const char* model : {"event", "sampled", "plain"}) {
+    const json& contacts = run_in(report, "snap", "exact", model).at("details").at("contacts");
+    EXPECT_EQ(contacts.at("matched"), 8) << model;
+    EXPECT_EQ(contacts.at("exact"), 8) << model;
+    EXPECT_NEAR(contacts.at("peak").at("exact"), 277.952323, 1e-6) << model;
+    EXPECT_LE(contacts.at("peak_error"), 2.0) << model;  // [%], at 30 steps in a contact
+    // what the strop pulls at the hook in a step is no restitution of its rope
+    const json& judgement = run_in(report, "elastic-strop", "exact", model).at("judgement");
+    const std::string word = judgement.at("restitution").at("word");
+    EXPECT_TRUE(word == "kept" || word == "too-few") << model << ": " << word;
+  }
+  std::istringstream lines(content_of(folder.path() / "out" / "report.md"));
+  std::string header;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("| engine ")) {
+      header = line;
+    } else if (!header.empty() && line.starts_with("| exact ")) {
+      EXPECT_EQ(cells_of(line), cells_of(header)) << header << line;
+      EXPECT_EQ(header.find("largest tension of a contact") == header.npos,
+                header.find("contacts off by") == header.npos);
+    }
+  }
 }
 
 /// The metrics of one run.

@@ -167,7 +167,8 @@ std::string help_text(const Outline& outline, std::size_t width) {
     commands.emplace_back(command.name, command.summary);
   }
   return wrapped(outline.summary, width) +
-         "usage: tautline COMMAND [OPTIONS] | COMMAND --help | --version\n" +
+         "usage: tautline COMMAND [OPTIONS]\n"
+         "       tautline --version | COMMAND --help\n" +
          section("commands", commands, width) + example_lines(outline.examples, width);
 }
 

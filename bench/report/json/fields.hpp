@@ -134,7 +134,7 @@ void fields(Visitor& visit, SystemRow& system) {
 template <class Visitor>
 void fields(Visitor& visit, EventColumns& events) {
   visit("time", events.time);
-  visit("kind", events.kind, one_of({"impact", "taut", "slack"}));
+  visit("kind", events.kind, one_of({"impact", "taut", "slack", "entry", "exit"}));
   visit("cables", events.cables);
   visit("rate", events.rate, "at which the fastest cable closes [m/s]; null of what is no impact");
   visit("left_out", events.left_out, "impacts that are not here, all slower than those that are");

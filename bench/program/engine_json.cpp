@@ -166,7 +166,8 @@ void fields(Visitor& visit, HeldOut& one) {
 
 template <class Visitor>
 void fields(Visitor& visit, SoftRow& law) {
-  const double ratio = damping_ratio_of(law);
+  // the schema is described by a law without numbers
+  const double ratio = law.stiffness > 0.0 ? damping_ratio_of(law) : 0.0;
   visit("stiffness", law.stiffness,
         above(0, "of the spring, over the mass that the cable feels [1/s^2]"));
   visit("damping", law.damping, at_least(0, "of the damper, over that mass [1/s]"));

@@ -3,11 +3,11 @@
 // push. There is no restitution to set; k makes a bounce last a number of steps, b gives it its e.
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "models.hpp"
+#include "tautline/elasticity.hpp"
 #include "world.hpp"
 
 namespace tautline::mujoco {
@@ -20,34 +20,9 @@ constexpr double steps_per_bounce = 20.0;
 /// The damping that stops a body in one step, b dt = 1, as a ratio [-]; more would overshoot.
 constexpr double largest_damping_ratio = steps_per_bounce / (2.0 * std::numbers::pi);
 
-/// The restitution of x'' = -k x - b x' with the damping ratio z = b / (2 sqrt k), from x = 0 until
-/// the pull is zero; it is zero before x is, so that the familiar exp(-pi z / sqrt(1 - z^2)) is too
-/// small. With z = sin beta and the phase p = sqrt(k) cos(beta) t, the motion from x' = v is
-///   x' = v exp(-p tan beta) (cos p - tan beta sin p),
-///   k x + b x' = v sqrt(k) exp(-p tan beta) sin(p + 2 beta) / cos beta,
-/// so the pull ends at p = pi - 2 beta, where the bracket is -1: e = exp(-(pi - 2 beta) tan beta).
-/// Beyond z = 1, beta is pi/2 - i mu with z = cosh mu, and e = exp(-2 mu coth mu).
-double restitution_of(double damping_ratio) {
-  if (damping_ratio < 1.0) {
-    const double beta = std::asin(damping_ratio);
-    return std::exp(-(std::numbers::pi - 2.0 * beta) * std::tan(beta));
-  }
-  const double mu = std::acosh(damping_ratio);
-  return std::exp(-2.0 * (mu > 0.0 ? mu / std::tanh(mu) : 1.0));
-}
-
-/// The damping ratio [-] whose restitution is `e`, by bisection: it falls as the ratio grows. The
-/// largest one where `e` is below what it gives, 0.02.
-double damping_ratio_of(double e) {
-  constexpr int halvings = 60;  // to the last bit
-  double low = 0.0;
-  double high = largest_damping_ratio;
-  for (int halving = 0; halving < halvings; ++halving) {
-    const double middle = 0.5 * (low + high);
-    (restitution_of(middle) > e ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
+/// The damping ratio [-] of x'' = -k x - b x' whose pulls give the restitution `e` (E6): it ends
+/// where the pull is zero, before x is. The largest one where `e` is below what it gives, 0.02.
+double limited_ratio_of(double e) { return std::min(damping_ratio_of(e), largest_damping_ratio); }
 
 template <class TheCase>
 std::vector<TendonLimit> limits_of(const TheCase& the_case, const RunSettings& run) {
@@ -56,7 +31,7 @@ std::vector<TendonLimit> limits_of(const TheCase& the_case, const RunSettings& r
   for (const auto& cable : the_case.cables) {
     limits.push_back(
         {parameter_of(run, "stiffness", frequency * frequency),
-         parameter_of(run, "damping", 2.0 * damping_ratio_of(cable.restitution) * frequency)});
+         parameter_of(run, "damping", 2.0 * limited_ratio_of(cable.restitution) * frequency)});
   }
   return limits;
 }

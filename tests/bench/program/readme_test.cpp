@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <regex>
 #include <sstream>
 
@@ -64,12 +65,31 @@ bool same(const std::string& shown, const std::string& printed) {
   }
 }
 
-/// Holds at least `least` blocks of `page` to what the program prints now. Paths in the commands
-/// are relative to docs/guides/.
+/// The first engine of the command's `--engines` that is not built, or nothing.
+std::string missing_engine(const std::string& command) {
+  std::smatch engines;
+  if (std::regex_search(command, engines, std::regex("--engines ([^ ]+)"))) {
+    const std::set<std::string> built = built_engines();
+    std::istringstream names(engines[1]);
+    for (std::string name; std::getline(names, name, ',');) {
+      if (!built.contains(name)) {
+        return name;
+      }
+    }
+  }
+  return "";
+}
+
+/// Holds at least `least` blocks of `page` to what the program prints now, those left out that need
+/// an engine that is not built. Paths in the commands are relative to docs/guides/.
 void expect_true_blocks(const std::string& page, std::size_t least) {
   const std::vector<Excerpt> all = excerpts(page);
   ASSERT_GE(all.size(), least);
   for (const Excerpt& excerpt : all) {
+    if (const std::string engine = missing_engine(excerpt.command); !engine.empty()) {
+      std::cout << page << ": a block is left out, as " << engine << " is not built\n";
+      continue;
+    }
     const TemporaryFolder folder;
     std::vector<std::string> arguments;
     std::istringstream words(excerpt.command);

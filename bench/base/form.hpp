@@ -47,6 +47,7 @@ struct Form {
   // may be missing
   std::string_view needs = {};
   std::string_view unless = {};
+  std::string_view not_beside = {};      // likewise; with one of these this one is refused
   bool not_empty = false;                // a text is not ""
   std::vector<std::string> words = {};   // the only texts, or none: any text
   Range range = any_number;              // for a number, and for those of `instead`

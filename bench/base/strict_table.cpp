@@ -407,18 +407,31 @@ void StrictTable::refuse_unknown_keys(const toml::table& table) {
   }
 }
 
-void StrictTable::needs(std::string_view key, std::string_view others) {
-  if (form_ != nullptr) {
+void StrictTable::mark(std::string_view key, std::string_view Form::*rule,
+                       std::string_view others) {
+  if (describes()) {
     for (Form& form : form_->inside) {
-      form.needs = form.key == key ? others : form.needs;
+      form.*rule = form.key == key ? others : form.*rule;
     }
   }
 }
 
+void StrictTable::needs(std::string_view key, std::string_view others) {
+  mark(key, &Form::needs, others);
+}
+
 void StrictTable::required_unless(std::string_view key, std::string_view others) {
-  if (form_ != nullptr) {
-    for (Form& form : form_->inside) {
-      form.unless = form.key == key ? others : form.unless;
+  mark(key, &Form::unless, others);
+}
+
+void StrictTable::refuse_beside(std::string_view key, std::string_view others,
+                                const std::string& right) {
+  mark(key, &Form::not_beside, others);
+  while (!describes() && !others.empty()) {
+    const std::string other(others.substr(0, others.find(' ')));
+    others.remove_prefix(std::min(other.size() + 1, others.size()));
+    if (has(other)) {
+      return refuse_value(key, "is there with " + other + ", " + right);
     }
   }
 }

@@ -109,6 +109,10 @@ class StrictTable {
   /// Notes that `key`, which has been asked for, may be missing where one of `others` is there.
   void required_unless(std::string_view key, std::string_view others);
 
+  /// Refuses `key`, which has been asked for, where one of `others` is there; `right` ends the
+  /// finding.
+  void refuse_beside(std::string_view key, std::string_view others, const std::string& right);
+
   /// How many of `keys` the table has. It must have one of them: the caller refuses another number.
   [[nodiscard]] std::size_t count(const std::vector<std::string>& keys);
 
@@ -158,6 +162,8 @@ class StrictTable {
  private:
   /// The note of a question; null where a file is read.
   Form* note(Form::Kind kind, const Key& key, std::string_view unit = "");
+  /// Writes `rule` of a `key` that was asked for, where questions are noted.
+  void mark(std::string_view key, std::string_view Form::*rule, std::string_view others);
   /// The answer of `ask`; none where `key` is missing.
   template <class Ask>
   auto if_there(const Key& key, const Ask& ask) -> std::optional<decltype(ask())>;

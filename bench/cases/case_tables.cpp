@@ -222,6 +222,9 @@ std::pair<typename TheCase::Cable, bool> read_cable(StrictTable& table, const Th
   bool taut = false;
   if constexpr (is_system) {
     table.required_unless("restitution", "stiffness EA");
+    if (is_elastic || table.describes()) {
+      refuse_beside_elasticity(table);
+    }
     cable.from_time = table.optional_number(
         {"from_time", "the cable is hooked up then; default: from the start"}, above_zero, "[s]");
     cable.cut_at = table.optional_number({"cut_at", "the cable is cut then; default: never"},
@@ -259,10 +262,10 @@ void read_orientation(StrictTable& table, SpatialState& state) {
     }
     const bool exact = std::abs(length - 1.0) <= 2.0 * std::numeric_limits<double>::epsilon();
     state.orientation = exact ? *typed : Quaternion(*typed / (length > 0.0 ? length : 1.0));
-    table.refuse_value("rotation", "is there with orientation, must be one of the two");
   } else if (rotation) {
     state.orientation = quaternion_of<double>(*rotation);
   }
+  table.refuse_beside("rotation", "orientation", "must be one of the two");
 }
 
 void read_spin(StrictTable& table, State& state) {
@@ -520,10 +523,8 @@ TheSystem read_system_tables(StrictTable root) {
     if (has_bodies || describes) {
       ask_with(root, "bodies", [&] { read_bodies(root, system); });
     }
-    if (has_bodies) {
-      root.refuse_value("body", "is there with bodies, must be one of the two");
-      root.refuse_value("initial", "is there with bodies, which have the start; leave it out");
-    }
+    root.refuse_beside("body", "bodies", "must be one of the two");
+    root.refuse_beside("initial", "bodies", "which have the start; leave it out");
   };
   return read_tables<TheSystem>(root, "from and to, or anchor and attachment, ",
                                 !has_bodies && !describes, read_all_bodies, [](TheSystem&) {})

@@ -13,20 +13,6 @@
 
 namespace tautline::bench {
 
-/// Adds a finding on each of the keys that says a second time what `law` loses in a contact.
-inline void refuse_second_damping(StrictTable& table) {
-  const char* first = nullptr;
-  for (const char* const key : {"damping", "damping_ratio", "restitution"}) {
-    if (table.has(key)) {
-      if (first != nullptr) {
-        table.refuse_value(key, std::string("is there with ") + first +
-                                    ", must be one of damping, damping_ratio and restitution");
-      }
-      first = key;
-    }
-  }
-}
-
 /// Reads what a cable loses in a contact.
 inline void read_damping(StrictTable& table, Elasticity& law) {
   law.damping = table
@@ -62,9 +48,7 @@ inline void read_force(StrictTable& table, Elasticity& law) {
        "a finite number above 0, or an array of numbers k1, k2, ... for k1 x + k2 x^2 + ... of the "
        "strain x",
        "[N]");
-  if (!law.of_strain) {
-    table.refuse_value("EA", "is there with stiffness, must be one of the two");
-  }
+  table.refuse_beside("EA", "stiffness", "must be one of the two");
   const Key corners = {"corners",
                        "where the slope of the force changes: pairs of a stretch and the stiffness "
                        "from there on, in rising stretch; with EA of a strain and the EA"};
@@ -93,6 +77,16 @@ inline void read_cut(StrictTable& table, Elasticity& law) {
   }
 }
 
+/// Refuses what an elastic cable would say twice, and what it has not, once all keys are asked for.
+inline void refuse_beside_elasticity(StrictTable& table) {
+  const std::string one = "must be one of damping, damping_ratio and restitution";
+  table.refuse_beside("damping_ratio", "damping", one);
+  table.refuse_beside("restitution", "damping damping_ratio", one);
+  for (const char* const key : {"capture_speed", "restitution_table"}) {
+    table.refuse_beside(key, "stiffness EA", "must be left out: an elastic cable has no impacts");
+  }
+}
+
 /// Reads how a cable pulls where it is longer than its length; none if it has no stiffness. With a
 /// stiffness, `restitution` is a third way to say the damping.
 inline std::optional<Elasticity> read_elasticity(StrictTable& table) {
@@ -115,7 +109,6 @@ inline std::optional<Elasticity> read_elasticity(StrictTable& table) {
   if (!is_elastic) {
     return std::nullopt;
   }
-  refuse_second_damping(table);
   const Range with_loss = {"in [1e-40, 1], for no damping takes all speed", 1e-40, 1e-40, 1.0};
   if (const auto share = table.optional_number({"restitution", ""}, with_loss, "")) {
     law.damping_ratio = damping_ratio_of(*share);
@@ -124,10 +117,6 @@ inline std::optional<Elasticity> read_elasticity(StrictTable& table) {
                          "is of contacts that end where the tension is 0, must be left out with "
                          "this cut");
     }
-  }
-  for (const char* const key : {"capture_speed", "restitution_table"}) {
-    table.refuse_value(key, "is for an inextensible cable, must be left out with " +
-                                std::string(law.of_strain ? "EA" : "stiffness"));
   }
   return law;
 }

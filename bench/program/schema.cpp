@@ -163,15 +163,16 @@ Json schema_of_keys(const Form& table) {
     } else if (is_required(key)) {
       required.push_back(key.key);
     }
-    if (const Json needs = any_of_keys(key.needs); needs.size() > 1) {
-      together[key.key]["anyOf"] = needs;
-    } else if (!needs.empty()) {
-      together[key.key].push_back(std::string(key.needs));
+    if (!key.needs.empty()) {
+      together[key.key]["anyOf"] = any_of_keys(key.needs);
+    }
+    if (!key.not_beside.empty()) {
+      together[key.key]["not"]["anyOf"] = any_of_keys(key.not_beside);
     }
     if (!key.with.empty()) {
-      together[key.key].push_back(key.with);
+      together[key.key]["required"].push_back(key.with);
       if (key.required) {
-        together[key.with].push_back(key.key);
+        together[key.with]["required"].push_back(key.key);
       }
     }
   }

@@ -135,8 +135,8 @@ TEST(ElasticFile, AMistakeGivesOneSentence) {
       {"stiffness = 5.0\nrestitution = 1.5",
        "14: cables[0].restitution = 1.5: must be in [1e-40, 1], for no damping takes all speed"},
       {"stiffness = 5.0\ncapture_speed = 0.1",
-       "14: cables[0].capture_speed = 0.1: is for an inextensible cable, must be left out with "
-       "stiffness"},
+       "14: cables[0].capture_speed = 0.1: is there with stiffness, must be left out: "
+       "an elastic cable has no impacts"},
       {"stiffness = 5.0\ndampng = 0.1",
        "14: cables[0].dampng = 0.1: unknown key; did you mean damping?"},
       {"restitution = 0.8\ndamping = 0.1",
@@ -158,7 +158,9 @@ TEST(ElasticFile, AMistakeGivesOneSentence) {
        "15: cables[0].restitution = 0.5: is of contacts that end where the tension is 0, must be "
        "left out with this cut"},
       {"EA = 5.0\ncapture_speed = 0.1",
-       "14: cables[0].capture_speed = 0.1: is for an inextensible cable, must be left out with EA"},
+       "14: cables[0].capture_speed = 0.1: is there with EA, must be left out: an elastic cable "
+       "has "
+       "no impacts"},
       {"stiffness = 5.0\ncorners = [[0.1, 0.0]]",
        "14: cable 0: corners[0]: stiffness 0 must be a finite number above 0 [N/m]"},
       {"stiffness = 5.0\ncorners = [[0.1, 7.0], 7.0]",

@@ -33,7 +33,9 @@ const std::map<std::string, fs::path> committed_schemas = {
 
 /// The file of a system is a case file.
 json schema_of(const std::string& kind) {
-  return json::parse(content_of(committed_schemas.at(kind == "system" ? "case" : kind)));
+  const auto found = committed_schemas.find(kind);
+  return json::parse(
+      content_of(found != committed_schemas.end() ? found->second : committed_schemas.at("case")));
 }
 
 TEST(FileSchemas, AreThoseThatTheProgramPrints) {
@@ -134,6 +136,12 @@ const std::map<std::string, FileKind>& file_kinds() {
          "which a point mass has not", "from 0.25 must be above", "too, must be another one",
          "unknown body", "restitution_table[", "as long as the cable acts",
          "is an array of length 3, must be two"}}},
+      {"elastic",
+       {fuzz_seed("elastic.toml"),
+        [](const std::string& text) { return read_system_text(text, "f").problems; },
+        {"larger in size than", "is an array of length 3, must be two", "unknown body",
+         ": stiffness ", ": corners[", "one of them must be on a body",
+         "for no damping takes all speed", "its frequency"}}},
       {"spec",
        {fuzz_seed("spec.toml"),
         [](const std::string& text) { return bench::read_spec_text(text, "f").problems; },
@@ -295,8 +303,8 @@ TEST_P(FileSchema, AcceptsWhatTheReaderAcceptsAndRefusesTheRestButForRulesOfTheR
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, FileSchema,
-                         testing::Values("case", "system", "spec", "problems", "contract",
-                                         "engine"),
+                         testing::Values("case", "system", "elastic", "spec", "problems",
+                                         "contract", "engine"),
                          [](const auto& one) { return one.param; });
 
 /// A sound file with one line of it replaced, and if a schema can refuse what is wrong with it.

@@ -230,19 +230,18 @@ int check_command(const CheckCommand& command) {
   }
   catch_interruption();
   std::vector<CheckedModel> models;
-  for (const Model& model : engine.info->models) {
-    if (command.model.empty() ? model.cables == Cables::elastic : model.name != command.model) {
-      continue;
-    }
+  const std::vector<std::string> asked =
+      command.model.empty() ? checked_models(*engine.info) : std::vector{command.model};
+  for (const std::string& model : asked) {
     WorkerLimits limits;
     limits.time = command.time_limit;
-    CheckReply reply = check_in_worker(engine.plugin, model.name, limits);
+    CheckReply reply = check_in_worker(engine.plugin, model, limits);
     if (reply.interrupted) {
       complain({"interrupted"});
       return exit_failed;
     }
-    mark_known(contract, model.name, reply.claims);
-    models.push_back({model.name, std::move(reply.claims)});
+    mark_known(contract, model, reply.claims);
+    models.push_back({model, std::move(reply.claims)});
     if (command.json.empty()) {
       print_check(*engine.info, models.back());
     }

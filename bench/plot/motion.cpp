@@ -11,6 +11,7 @@
 #include "bench/base/listed.hpp"
 #include "bench/base/text.hpp"
 #include "bench/plot/svg.hpp"
+#include "tautline/elastic_contacts.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/system_geometry.hpp"
 
@@ -270,6 +271,7 @@ auto drawn_motion(const TheCase& the_case, const BasicSolution<TheCase>& solutio
   result.path_end = result.end_time;
   const std::size_t bodies = bodies_of(the_case.initial).size();
   result.marks = impact_marks(the_case, solution);
+  result.contacts = contact_words(the_case, solution);
   for (std::size_t index = 0; index < std::min(faint_bodies, result.marks.size()); ++index) {
     const auto& event = solution.events()[result.marks[index].event];
     result.fastest.push_back(pose_of(the_case, event.before, {}));
@@ -385,6 +387,21 @@ std::vector<BasicMark<dimensions_of<TheCase>>> impact_marks(
                    [](const auto& a, const auto& b) { return a.speed > b.speed; });
   return marks;
 }
+template <class TheCase>
+std::string contact_words(const TheCase& the_case, const BasicSolution<TheCase>& solution) {
+  if constexpr (!std::is_same_v<TheCase, Case>) {
+    if (std::any_of(the_case.cables.begin(), the_case.cables.end(),
+                    [](const auto& cable) { return is_elastic(cable); })) {
+      const std::size_t contacts = elastic_contacts(solution).size();
+      return fmt::format(", {} contact{} of elastic cables", contacts, contacts == 1 ? "" : "s");
+    }
+  }
+  return "";
+}
+template std::string contact_words(const Case&, const Solution&);
+template std::string contact_words(const System&, const BasicSolution<System>&);
+template std::string contact_words(const SpatialSystem&, const BasicSolution<SpatialSystem>&);
+
 template std::vector<BasicMark<2>> impact_marks(const Case&, const Solution&);
 template std::vector<BasicMark<2>> impact_marks(const System&, const BasicSolution<System>&);
 template std::vector<BasicMark<3>> impact_marks(const SpatialSystem&,
@@ -482,6 +499,7 @@ PlotMotion seen(const BasicPlotMotion<D>& motion, const View& view) {
   for (const BasicMark<D>& mark : motion.marks) {
     result.marks.push_back({mark.speed, mark.time, mark.event, line(mark.places)});
   }
+  result.contacts = motion.contacts;
   result.fastest = listed(motion.fastest, pose);
   result.start = pose(motion.start);
   result.end = pose(motion.end);

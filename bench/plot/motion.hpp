@@ -139,6 +139,7 @@ struct BasicPlotMotion {
   Line anchors;                       // ends in the world, at the end
   Line rings;                         // at the end
   std::vector<BasicMark<D>> marks;    // the fastest first
+  std::string contacts;               // as `contact_words` has them
   std::vector<BasicPose<D>> fastest;  // at the first of them
   BasicPose<D> start;
   BasicPose<D> end;
@@ -169,6 +170,11 @@ template <int D>
 template <class TheCase>
 [[nodiscard]] std::vector<BasicMark<dimensions_of<TheCase>>> impact_marks(
     const TheCase& the_case, const BasicSolution<TheCase>& solution);
+
+/// ", 8 contacts of elastic cables"; "" where no cable is elastic.
+template <class TheCase>
+[[nodiscard]] std::string contact_words(const TheCase& the_case,
+                                        const BasicSolution<TheCase>& solution);
 
 /// The extent of the paths and bodies that are drawn, and the same with their cables; without a
 /// margin.

@@ -177,8 +177,9 @@ std::vector<double> impact_times(const TheCase& the_case, const BasicSolution<Th
 
 /// Names the lines of `drawn` impacts: all of them, or the fastest ones.
 std::string words_on_marks(std::size_t drawn) {
-  return drawn < marked_impacts ? "a thin line marks an impact"
-                                : fmt::format("lines: {} fastest impacts", marked_impacts);
+  return drawn == 0               ? "no impacts"
+         : drawn < marked_impacts ? "a thin line marks an impact"
+                                  : fmt::format("lines: {} fastest impacts", marked_impacts);
 }
 
 /// A panel on the sheet.
@@ -320,8 +321,9 @@ std::string panels_over_time(const TheCase& the_case, const BasicSolution<TheCas
                  .text(impacts, last);
     from_top += panel_height + between_panels;
   }
-  const std::string words = fmt::format("t = 0 to {:.6g} s; {}{}", solution.end_time(),
-                                        words_on_marks(impacts.size()), more_words);
+  const std::string words =
+      fmt::format("t = 0 to {:.6g} s; {}{}{}", solution.end_time(), words_on_marks(impacts.size()),
+                  contact_words(the_case, solution), more_words);
   return svg_sheet(
       {.width = motion_width,
        .height = bottom + 92.0 + more,

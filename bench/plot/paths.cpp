@@ -82,8 +82,8 @@ std::string ending_words(Ending ending) {
 /// The words below the title.
 std::string heading_of(const PlotMotion& motion) {
   return fmt::format(
-      "t = 0 to {:.6g} s, {} impact{}, ends {}{}", motion.end_time, motion.marks.size(),
-      motion.marks.size() == 1 ? "" : "s", ending_words(motion.ending),
+      "t = 0 to {:.6g} s, {} impact{}{}, ends {}{}", motion.end_time, motion.marks.size(),
+      motion.marks.size() == 1 ? "" : "s", motion.contacts, ending_words(motion.ending),
       motion.path_end < motion.end_time ? fmt::format("; path to t = {:.6g} s", motion.path_end)
                                         : "");
 }

@@ -30,6 +30,10 @@ function(tautline_target target)
   target_compile_options(${target} PRIVATE
     $<$<CXX_COMPILER_ID:Clang>:-Wno-overlength-strings>
     $<$<AND:$<CXX_COMPILER_ID:Clang>,$<BOOL:${TAUTLINE_UNITY}>>:-Wno-shadow>)
+  # GCC looks for memory to give back when it has taken 128 MB. A source made of several takes more, and each
+  # look costs: up to a sixth of the time to compile it.
+  target_compile_options(${target} PRIVATE
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${TAUTLINE_UNITY}>>:--param=ggc-min-heapsize=524288>)
   if(TAUTLINE_SANITIZE)
     # with sanitizers GCC warns of uninitialised members inside its own <regex> (GCC bug 105562)
     target_compile_options(${target} PRIVATE

@@ -104,7 +104,8 @@ bool could_show(const RunRow& run, const std::string& kind) {
     return false;
   }
   const Judgement& judgement = *run.judgement;
-  return kind == "restitution"      ? judgement.rebounds.word != Rebound::too_few
+  return kind == "restitution"
+             ? judgement.rebounds.wrong() || judgement.rebounds.word == Rebound::kept
          : kind == "events"         ? judgement.following.located
          : kind == "position"       ? judgement.following.ratio.has_value()
          : kind == "missed-impacts" ? judgement.impacts.due > 0
@@ -120,8 +121,8 @@ Word word_on(const RunRow& run, const Problems& problems) {
                ? Word::listed_problem
                : Word::problem;
   }
-  const bool told = run.judgement && run.judgement->rebounds.word == Rebound::kept &&
-                    run.judgement->following.ratio;
+  const bool told =
+      run.judgement && run.judgement->rebounds.well() && run.judgement->following.ratio;
   return told ? Word::sound : Word::too_few;
 }
 

@@ -58,7 +58,7 @@ template <class TheCase>
 
 /// Judges `run` of a case or of a system, whose `impacts` are audited, of an engine with numbers of
 /// `precision`. Elastic cables have no impacts and no restitution, and their stretch is no fault:
-/// of them `following` alone tells.
+/// of them `following` alone tells, and `rebounds` has the word `elastic` where it does.
 template <class TheReference, class TheCase>
 [[nodiscard]] Judgement judge(const BasicExpectation<TheReference>& expectation,
                               const BasicTrajectory<TheCase>& run,

@@ -101,6 +101,12 @@ ModelJudgement model_of(const Runs& runs) {
     }
   }
   model.rebounds = rebounds_of(impacts, stuck);
+  const auto elastic = [&](const JudgedRun* run) {
+    return run->step != model.step || run->judgement->rebounds.word == Rebound::elastic;
+  };
+  if (std::all_of(runs.begin(), runs.end(), elastic)) {
+    model.rebounds.word = Rebound::elastic;
+  }
   // a fault of one case does not drown in the impacts of others, nor faults of several make a new
   // one
   const bool pooled = model.rebounds.wrong() && model.rebounds.word != Rebound::scatters;
@@ -152,6 +158,8 @@ std::string word_text(const Rebounds& rebounds) {
       return rebounds.stays_taut
                  ? fmt::format("none: stays taut after {:.3g} m/s", rebounds.speed.value_or(0.0))
                  : fmt::format("none: {} lost", part_text(rebounds.off, rebounds.readable));
+    case Rebound::elastic:
+      return "no impacts: elastic cables";
     case Rebound::too_few:
       break;
   }
@@ -215,7 +223,7 @@ std::vector<Finding> rebound_findings(const std::vector<ModelJudgement>& models,
 
 const char* to_string(Rebound word) {
   constexpr std::array names = {"kept",     "off",  "lost-below", "loses-some",
-                                "scatters", "none", "too-few"};
+                                "scatters", "none", "too-few",    "elastic"};
   return names.at(static_cast<std::size_t>(word));
 }
 

@@ -21,6 +21,7 @@ enum class Rebound {
   scatters,    // some are off, to both sides
   none,        // nothing comes back
   too_few,     // too few impacts can be read to tell
+  elastic,     // every cable is elastic and has no impacts; a whole contact was judged by position
 };
 
 /// The rebounds of a run or of a model.
@@ -35,8 +36,11 @@ struct Rebounds {
   bool stays_taut = false;      // after an impact that ought to have thrown the body back
   double steps = 0.0;           // that an impact takes, median
 
+  /// Enough was seen, and nothing is wrong with it.
+  [[nodiscard]] bool well() const { return word == Rebound::kept || word == Rebound::elastic; }
+
   /// Something is wrong with them.
-  [[nodiscard]] bool wrong() const { return word != Rebound::kept && word != Rebound::too_few; }
+  [[nodiscard]] bool wrong() const { return !well() && word != Rebound::too_few; }
 };
 
 /// An impact after which a cable ought to be slack for a while, and stays taut in the run.

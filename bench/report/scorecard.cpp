@@ -243,7 +243,7 @@ Cell restitution_cell(const ModelCard& card) {
     return dash;
   }
   const Rebounds& rebounds = card.judged->rebounds;
-  return told_cell(words_of(rebounds), rebounds.wrong(), rebounds.word == Rebound::kept);
+  return told_cell(words_of(rebounds), rebounds.wrong(), rebounds.well());
 }
 
 Cell position_cell(const ModelCard& card) {
@@ -344,7 +344,7 @@ std::string scope_line(const Report& report, std::size_t engines) {
 }  // namespace
 
 bool ModelCard::may_be_used() const {
-  return wrong.empty() && judged && judged->rebounds.word == Rebound::kept &&
+  return wrong.empty() && judged && judged->rebounds.well() &&
          (judged->course == Course::exact || judged->course == Course::as_good);
 }
 

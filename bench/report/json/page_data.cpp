@@ -95,10 +95,10 @@ Columns columns_of(ImpactColumns impacts) {
 
 Json json_of(const ShownImpacts& impacts) { return columns_of(impacts.columns).values; }
 
-/// The word on restitution as a bar shows it: 0 kept, 1 off, 2 too few impacts to tell, 3 some are
-/// lost, 4 scattered.
+/// The word on restitution as a bar shows it: 0 kept, or no impacts, 1 off, 2 too few impacts to
+/// tell, 3 some are lost, 4 scattered.
 double bar_word(Rebound word) {
-  constexpr std::array words = {0.0, 1.0, 3.0, 3.0, 4.0, 1.0, 2.0};  // by Rebound
+  constexpr std::array words = {0.0, 1.0, 3.0, 3.0, 4.0, 1.0, 2.0, 0.0};  // by Rebound
   return words.at(static_cast<std::size_t>(word));
 }
 

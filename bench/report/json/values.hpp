@@ -43,7 +43,7 @@ template <>
 struct Words<Rebound> {
   static constexpr std::array all = {Rebound::kept,       Rebound::off,      Rebound::lost_below,
                                      Rebound::loses_some, Rebound::scatters, Rebound::none,
-                                     Rebound::too_few};
+                                     Rebound::too_few,    Rebound::elastic};
 };
 template <>
 struct Words<Course> {

@@ -105,8 +105,9 @@ TEST(JudgementOfSystems, TellsEnergyThatComesFromNowhere) {
 }
 
 /// A load of 1 kg that falls into two cables: an elastic one with the restitution 0.5 of a contact,
-/// and one without a stiffness, of restitution 0.5, that it reaches while it rises.
-SpatialSystem load_on_a_spring(ElasticCut cut) {
+/// and, unless it is `alone`, one without a stiffness, of restitution 0.5, that it reaches while it
+/// rises.
+SpatialSystem load_on_a_spring(ElasticCut cut, bool alone = false) {
   SpatialSystem result;
   result.name = "load-on-a-spring";
   result.gravity = Function<3>::constant({0.0, -9.81, 0.0});
@@ -124,7 +125,10 @@ SpatialSystem load_on_a_spring(ElasticCut cut) {
   rigid.length = Function<1>::constant(1.5);
   rigid.restitution = 0.5;
   rigid.elasticity.reset();
-  result.cables = {spring, rigid};
+  result.cables = {spring};
+  if (!alone) {
+    result.cables.push_back(rigid);
+  }
   SpatialState start;
   start.position = {0.0, -0.95, 0.0};
   start.velocity = {0.0, -3.0, 0.0};
@@ -141,9 +145,7 @@ struct Measured {
   SystemTrajectory run;
   Attribution attribution;
 };
-Measured measured_on_a_spring(double dt, const Spoiled::Spoil& before = {},
-                              ElasticCut cut = ElasticCut::force) {
-  const SpatialSystem system = load_on_a_spring(cut);
+Measured measured(const SpatialSystem& system, double dt, const Spoiled::Spoil& before = {}) {
   const ReferenceSystem reference = solve_case(system, ImpactLaw::simultaneous);
   const SystemExpectation expectation(reference);
   Spoiled simulation(system, before, {});
@@ -157,6 +159,35 @@ Measured measured_on_a_spring(double dt, const Spoiled::Spoil& before = {},
   result.attribution =
       attribute(system, reference.solution, reference.horizon, result.run, AttributionOptions());
   return result;
+}
+
+Measured measured_on_a_spring(double dt, const Spoiled::Spoil& before = {},
+                              ElasticCut cut = ElasticCut::force) {
+  return measured(load_on_a_spring(cut), dt, before);
+}
+
+TEST(JudgementOfSystems, TellsARunOnElasticCablesByItsPositionOnceAContactIsOver) {
+  SpatialSystem system = load_on_a_spring(ElasticCut::force, true);
+  const auto word = [&](double duration) {
+    system.duration = duration;
+    return measured(system, 1e-4).judgement.rebounds.word;
+  };
+  const std::vector<ElasticContact> contacts =
+      elastic_contacts(solve_case(system, ImpactLaw::simultaneous).solution);
+  ASSERT_FALSE(contacts.empty());
+  const double exit = contacts.front().exit.value();
+  EXPECT_EQ(word(0.3), Rebound::elastic);
+  EXPECT_EQ(word(exit + 2e-3), Rebound::elastic);
+  EXPECT_EQ(word(0.5 * contacts.front().entry), Rebound::too_few) << "it never pulled";
+  system.duration = 0.3;
+  const Judgement wrong = measured(system, 1e-4, [](Scheme& scheme, double) {
+                            scheme.system().cables[0].elasticity->stiffness = {4e4};
+                          }).judgement;
+  EXPECT_GT(wrong.following.ratio.value_or(0.0), most_ratio);
+  system.cables[0].elasticity.reset();
+  system.cables[0].restitution = 0.5;
+  EXPECT_EQ(judged(system, 1e-4).rebounds.word, Rebound::too_few)
+      << "an inextensible cable has impacts";
 }
 
 TEST(JudgementOfSystems, FindsNoFaultInASpringThatIsFollowed) {

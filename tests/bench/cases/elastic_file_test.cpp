@@ -159,8 +159,7 @@ TEST(ElasticFile, AMistakeGivesOneSentence) {
        "left out with this cut"},
       {"EA = 5.0\ncapture_speed = 0.1",
        "14: cables[0].capture_speed = 0.1: is there with EA, must be left out: an elastic cable "
-       "has "
-       "no impacts"},
+       "has no impacts"},
       {"stiffness = 5.0\ncorners = [[0.1, 0.0]]",
        "14: cable 0: corners[0]: stiffness 0 must be a finite number above 0 [N/m]"},
       {"stiffness = 5.0\ncorners = [[0.1, 7.0], 7.0]",

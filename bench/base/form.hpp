@@ -42,17 +42,15 @@ struct Form {
   std::string key = {};      // "" for an entry of an array and for the file itself
   std::string meaning = {};  // with the unit
   bool required = false;
-  std::string with = {};  // the key without which this one is unknown, or ""
-  // keys with a space between: without one of these this one is refused, and with one of those it
-  // may be missing
-  std::string_view needs = {};
-  std::string_view unless = {};
-  std::string_view not_beside = {};      // likewise; with one of these this one is refused
-  bool not_empty = false;                // a text is not ""
-  std::vector<std::string> words = {};   // the only texts, or none: any text
-  Range range = any_number;              // for a number, and for those of `instead`
-  std::size_t least = 0;                 // entries of an array, or keys of a table
-  std::optional<std::size_t> most = {};  // likewise; none: any number of them
+  std::string with = {};                      // the key without which this one is unknown, or ""
+  std::vector<std::string_view> needs = {};   // without one of these keys this one is refused
+  std::vector<std::string_view> unless = {};  // with one of these it may be missing
+  std::vector<std::string_view> not_beside = {};  // with one of these it is refused
+  bool not_empty = false;                         // a text is not ""
+  std::vector<std::string> words = {};            // the only texts, or none: any text
+  Range range = any_number;                       // for a number, and for those of `instead`
+  std::size_t least = 0;                          // entries of an array, or keys of a table
+  std::optional<std::size_t> most = {};           // likewise; none: any number of them
   std::list<Form> inside = {};  // the keys of a table; one form for all entries of an array
   std::vector<std::string> either = {};  // keys, if a table must have exactly one of them
   std::optional<std::size_t> each = {};  // entries at most, if a table may have an array `each`

@@ -407,31 +407,28 @@ void StrictTable::refuse_unknown_keys(const toml::table& table) {
   }
 }
 
-void StrictTable::mark(std::string_view key, std::string_view Form::*rule,
-                       std::string_view others) {
+void StrictTable::mark(std::string_view key, std::vector<std::string_view> Form::*rule,
+                       Keys others) {
   if (describes()) {
     for (Form& form : form_->inside) {
-      form.*rule = form.key == key ? others : form.*rule;
+      if (form.key == key) {
+        form.*rule = others;
+      }
     }
   }
 }
 
-void StrictTable::needs(std::string_view key, std::string_view others) {
-  mark(key, &Form::needs, others);
-}
+void StrictTable::needs(std::string_view key, Keys others) { mark(key, &Form::needs, others); }
 
-void StrictTable::required_unless(std::string_view key, std::string_view others) {
+void StrictTable::required_unless(std::string_view key, Keys others) {
   mark(key, &Form::unless, others);
 }
 
-void StrictTable::refuse_beside(std::string_view key, std::string_view others,
-                                const std::string& right) {
+void StrictTable::refuse_beside(std::string_view key, Keys others, const std::string& right) {
   mark(key, &Form::not_beside, others);
-  while (!describes() && !others.empty()) {
-    const std::string other(others.substr(0, others.find(' ')));
-    others.remove_prefix(std::min(other.size() + 1, others.size()));
-    if (has(other)) {
-      return refuse_value(key, "is there with " + other + ", " + right);
+  for (const std::string_view other : others) {
+    if (!describes() && has(other)) {
+      return refuse_value(key, "is there with " + std::string(other) + ", " + right);
     }
   }
 }

@@ -221,7 +221,7 @@ std::pair<typename TheCase::Cable, bool> read_cable(StrictTable& table, const Th
   }
   bool taut = false;
   if constexpr (is_system) {
-    table.required_unless("restitution", "stiffness EA");
+    table.required_unless("restitution", {"stiffness", "EA"});
     if (is_elastic || table.describes()) {
       refuse_beside_elasticity(table);
     }
@@ -265,7 +265,7 @@ void read_orientation(StrictTable& table, SpatialState& state) {
   } else if (rotation) {
     state.orientation = quaternion_of<double>(*rotation);
   }
-  table.refuse_beside("rotation", "orientation", "must be one of the two");
+  table.refuse_beside("rotation", {"orientation"}, "must be one of the two");
 }
 
 void read_spin(StrictTable& table, State& state) {
@@ -505,7 +505,7 @@ TheSystem read_system_tables(StrictTable root) {
   const auto read_only = [&](TheSystem& system) {
     system.bodies = {read_only_body<typename TheSystem::Body>(root)};
     system.initial.bodies = {read_only_start<typename TheSystem::State::Body>(root)};
-    root.needs("body", "cables");
+    root.needs("body", {"cables"});
   };
   const auto read_all_bodies = [&](TheSystem& system) {
     system.gravity = read_function<dimension>(root.table_or(gravity_key, "value", true), "[m/s^2]");
@@ -523,8 +523,8 @@ TheSystem read_system_tables(StrictTable root) {
     if (has_bodies || describes) {
       ask_with(root, "bodies", [&] { read_bodies(root, system); });
     }
-    root.refuse_beside("body", "bodies", "must be one of the two");
-    root.refuse_beside("initial", "bodies", "which have the start; leave it out");
+    root.refuse_beside("body", {"bodies"}, "must be one of the two");
+    root.refuse_beside("initial", {"bodies"}, "which have the start; leave it out");
   };
   return read_tables<TheSystem>(root, "from and to, or anchor and attachment, ",
                                 !has_bodies && !describes, read_all_bodies, [](TheSystem&) {})

@@ -48,7 +48,7 @@ inline void read_force(StrictTable& table, Elasticity& law) {
        "a finite number above 0, or an array of numbers k1, k2, ... for k1 x + k2 x^2 + ... of the "
        "strain x",
        "[N]");
-  table.refuse_beside("EA", "stiffness", "must be one of the two");
+  table.refuse_beside("EA", {"stiffness"}, "must be one of the two");
   const Key corners = {"corners",
                        "where the slope of the force changes: pairs of a stretch and the stiffness "
                        "from there on, in rising stretch; with EA of a strain and the EA"};
@@ -80,10 +80,11 @@ inline void read_cut(StrictTable& table, Elasticity& law) {
 /// Refuses what an elastic cable would say twice, and what it has not, once all keys are asked for.
 inline void refuse_beside_elasticity(StrictTable& table) {
   const std::string one = "must be one of damping, damping_ratio and restitution";
-  table.refuse_beside("damping_ratio", "damping", one);
-  table.refuse_beside("restitution", "damping damping_ratio", one);
+  table.refuse_beside("damping_ratio", {"damping"}, one);
+  table.refuse_beside("restitution", {"damping", "damping_ratio"}, one);
   for (const char* const key : {"capture_speed", "restitution_table"}) {
-    table.refuse_beside(key, "stiffness EA", "must be left out: an elastic cable has no impacts");
+    table.refuse_beside(key, {"stiffness", "EA"},
+                        "must be left out: an elastic cable has no impacts");
   }
 }
 
@@ -101,7 +102,7 @@ inline std::optional<Elasticity> read_elasticity(StrictTable& table) {
     read_cut(table, law);
   }
   for (const char* const key : {"damping", "damping_ratio", "corners", "cut"}) {
-    table.needs(key, "stiffness EA");
+    table.needs(key, {"stiffness", "EA"});
     if (!is_elastic) {
       table.refuse_value(key, "is for an elastic cable, must be there with stiffness or EA");
     }

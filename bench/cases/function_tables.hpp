@@ -133,7 +133,7 @@ Function<N> read_changes(StrictTable& table, std::string_view unit, const Consta
   result.waves = read_waves<N>(table, unit);
   table.with("times", [&] { result.pieces = read_values<N>(table, unit, constant); });
   std::vector<BasicPiece<double, N>> pieces = read_pieces<N>(table, unit, constant);
-  table.refuse_beside("pieces", "times", "must be one of the two");
+  table.refuse_beside("pieces", {"times"}, "must be one of the two");
   if (!table.has("times")) {
     table.refuse_value("values", "is there without times, must have a time for each of them");
     table.refuse_value("spline", "is there without times and values, leave it out");

@@ -390,8 +390,7 @@ std::vector<BasicMark<dimensions_of<TheCase>>> impact_marks(
 template <class TheCase>
 std::string contact_words(const TheCase& the_case, const BasicSolution<TheCase>& solution) {
   if constexpr (!std::is_same_v<TheCase, Case>) {
-    if (std::any_of(the_case.cables.begin(), the_case.cables.end(),
-                    [](const auto& cable) { return is_elastic(cable); })) {
+    if (first_elastic(the_case)) {
       const std::size_t contacts = elastic_contacts(solution).size();
       return fmt::format(", {} contact{} of elastic cables", contacts, contacts == 1 ? "" : "s");
     }

@@ -137,13 +137,11 @@ bool is_required(const Form& key) {
           std::any_of(inside.begin(), inside.end(), is_required));
 }
 
-/// A schema for each of `keys` that a table may have, with spaces between.
-Json any_of_keys(std::string_view keys) {
+/// A schema for each of `keys` that a table may have.
+Json any_of_keys(const std::vector<std::string_view>& keys) {
   Json result = Json::array();
-  while (!keys.empty()) {
-    const std::size_t end = std::min(keys.find(' '), keys.size());
-    result.push_back({{"required", {std::string(keys.substr(0, end))}}});
-    keys.remove_prefix(std::min(end + 1, keys.size()));
+  for (const std::string_view key : keys) {
+    result.push_back({{"required", {key}}});
   }
   return result;
 }

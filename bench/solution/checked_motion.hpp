@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -38,13 +37,6 @@ struct SystemSettlingErrors {
   double one_percent = -1.0;          // [s]
   double ring_down = -1.0;            // [s]
 };
-
-/// True if a cable of `system` is elastic.
-template <int D>
-[[nodiscard]] bool has_elastic_cables(const BasicSystem<double, D>& system) {
-  return std::any_of(system.cables.begin(), system.cables.end(),
-                     [](const auto& cable) { return is_elastic(cable); });
-}
 
 /// A contact of an elastic cable, and how far each of its numbers is right, in its place; < 0 where
 /// that is not known.

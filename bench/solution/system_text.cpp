@@ -240,7 +240,7 @@ class Sentences {
     }
     const double lost = ledger.impacts + ledger.completions;
     const double error = errors.impacts < 0.0 ? -1.0 : errors.impacts + errors.completions;
-    const std::string elastic = has_elastic_cables(motion_.system())
+    const std::string elastic = first_elastic(motion_.system())
                                     ? fmt::format(" Elastic cables lose {} and {} {}.",
                                                   part(ledger.dissipated, errors.dissipated),
                                                   ledger.stored < 0.0 ? "give back" : "store",

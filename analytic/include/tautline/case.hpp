@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -64,6 +65,16 @@ using Cable = BasicCable<double>;
 template <class Real>
 [[nodiscard]] constexpr bool is_elastic(const BasicCable<Real>& /*cable*/) {
   return false;
+}
+
+/// The index of the first elastic cable of `the_case`, or of a system; none: all are inextensible.
+template <class TheCase>
+[[nodiscard]] std::optional<std::size_t> first_elastic(const TheCase& the_case) {
+  const auto& cables = the_case.cables;
+  const auto found = std::find_if(cables.begin(), cables.end(),
+                                  [](const auto& cable) { return is_elastic(cable); });
+  return found == cables.end() ? std::nullopt
+                               : std::optional(static_cast<std::size_t>(found - cables.begin()));
 }
 
 /// Where the body is and how it moves.

@@ -456,7 +456,7 @@ std::string solution_json(const BasicCheckedMotion<D>& motion, const SolveOption
   row.end_time = end;
   row.end_state = part_of(motion, motion.at(end), &Bounded::value).state;
   row.energy.ledger = motion.ledger();
-  const bool is_elastic = has_elastic_cables(motion.system());
+  const bool is_elastic = first_elastic(motion.system()).has_value();
   if (is_elastic) {
     row.energy.stored = motion.ledger().stored;
     row.energy.dissipated = motion.ledger().dissipated;

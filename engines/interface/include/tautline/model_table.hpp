@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
@@ -53,19 +52,6 @@ inline void check_parameters(const Model& model, const RunSettings& settings) {
       throw std::invalid_argument("unsupported: model " + model.name + " has no parameter " + name);
     }
   }
-}
-
-/// The first elastic cable; none: all are inextensible, as those of a `Case`.
-[[nodiscard]] inline std::optional<std::size_t> first_elastic(const Case& /*the_case*/) {
-  return std::nullopt;
-}
-/// In a system some may be elastic.
-[[nodiscard]] inline std::optional<std::size_t> first_elastic(const SpatialSystem& system) {
-  const auto found = std::ranges::find_if(
-      system.cables, [](const SpatialCable& cable) { return is_elastic(cable); });
-  return found == system.cables.end()
-             ? std::nullopt
-             : std::optional(static_cast<std::size_t>(found - system.cables.begin()));
 }
 
 /// Throws std::invalid_argument if a cable of `the_case` is elastic: `whose` cables, such as "model

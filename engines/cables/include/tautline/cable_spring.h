@@ -8,9 +8,10 @@
 // A step of h is implicit. The ends close at u0 before it and at u1 after it, and a straight step
 // leads `keeps` out of the circle around the other end (see CableRule), so the stretch grows at
 // v = u1 + keeps, and the impulse is
-//   p = h max(0, f(s + h v) + c v).
-// With f(s + h v) = f(s) + k h v this is a row of the solve, which asks for the gap rate
-//   -u1 = keeps + f(s) / (h k + c)   and gives by   1 / (h (h k + c))   of its impulse.
+//   p = h max(0, f(s) + d v),   d = max(c, h k),
+// where f(s) + h k v = f(s + h v): an implicit spring damps, and the damper has that share already.
+// This is a row of the solve, which asks for the gap rate
+//   -u1 = keeps + f(s) / d   and gives by   1 / (h d)   of its impulse.
 // k is the secant of f between the ends of the step as the cable by itself would have it: exact
 // where f is linear. A cable that is slack as a step begins has no damping in it; with damping it
 // would pull before it has its length.
@@ -28,8 +29,8 @@
 // if it shrinks, and has (1 + y) (x - y) there if the other cables turn it around. So the energy of
 // the bodies and the accounts never rises: where k h^2 / m is large, where lines turn by radians in
 // a step, and next to other cables. In steps that resolve the motion the account has more than the
-// cable stores, by what its damper and the implicit step have taken (the step damps a load that
-// swings up and down with the frequency w by a ratio of w h / 2), and the bound is not felt.
+// cable stores, by what its damper or the implicit step has taken (an undamped load that swings up
+// and down with the frequency w is damped by a ratio of w h / 2), and the bound is not felt.
 
 #pragma once
 
@@ -250,11 +251,11 @@ class CableSpring {
     }
     const double from = std::max(counted_, 0.0);
     const double k = law_.secant(from, std::max(end(), 0.0));
-    const double stiffness = dt_ * k + active_damping();
+    const double damper = std::max(active_damping(), dt_ * k);
     const double force = law_.force(from) + k * (counted_ - from);
     row_.acts = acts;
-    row_.rate = keeps_ - half_fall_ + force / stiffness;
-    row_.compliance = 1 / (dt_ * stiffness);
+    row_.rate = keeps_ - half_fall_ + force / damper;
+    row_.compliance = 1 / (dt_ * damper);
     return row_;
   }
   /// The stretch at the end of the step if no other cable pulls [m]; any, of a linear law.
@@ -269,8 +270,9 @@ class CableSpring {
     const int halvings = 60;
     for (int done = 0; done < halvings; ++done) {
       const double growth = (low + high) / 2;
+      const double damped = law_.force(counted_) + active_damping() * growth;
       const double force =
-          law_.force(counted_ + dt_ * growth) + std::max(active_damping() * growth, 0.0);
+          std::max(law_.force(counted_ + dt_ * growth), growth > 0 ? damped : 0.0);
       (growth + inverse_mass_ * dt_ * force > free ? high : low) = growth;
     }
     return counted_ + dt_ * high;

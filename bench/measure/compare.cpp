@@ -167,8 +167,9 @@ Metrics compare(const SpatialSystem& system, const BasicSolution<SpatialSystem>&
                 const CompareOptions& options) {
   Metrics metrics = compared(system, solution, settling, horizon, run, options);
   if (first_elastic(system)) {
-    metrics.contacts = match_contacts(elastic_contacts(solution), run.contacts, options.count_speed,
-                                      std::min(solution.end_time(), horizon));
+    metrics.contacts = match_contacts(
+        elastic_contacts(solution), run.contacts,
+        {options.count_speed, 2.0 * run.step, std::min(solution.end_time(), horizon)});
   }
   return metrics;
 }

@@ -10,10 +10,12 @@
 namespace tautline::bench {
 namespace {
 
-std::vector<ElasticContact> faster_than(double speed, const std::vector<ElasticContact>& all) {
+std::vector<ElasticContact> those_of(const CountedContacts& counted,
+                                     const std::vector<ElasticContact>& all) {
   std::vector<ElasticContact> result;
-  std::ranges::copy_if(all, std::back_inserter(result),
-                       [&](const ElasticContact& one) { return one.entry_speed > speed; });
+  std::ranges::copy_if(all, std::back_inserter(result), [&](const ElasticContact& one) {
+    return one.entry_speed > counted.speed || one.entry <= counted.start;
+  });
   return result;
 }
 
@@ -32,12 +34,12 @@ void raise(std::optional<double>& worst, double error) {
 }  // namespace
 
 ContactMatch match_contacts(const std::vector<ElasticContact>& exact,
-                            const std::vector<ElasticContact>& found, double count_speed,
-                            double end) {
-  const std::vector<ElasticContact> right = faster_than(count_speed, exact);
-  const std::vector<ElasticContact> of_run = faster_than(count_speed, found);
+                            const std::vector<ElasticContact>& found,
+                            const CountedContacts& counted) {
+  const std::vector<ElasticContact> right = those_of(counted, exact);
+  const std::vector<ElasticContact> of_run = those_of(counted, found);
   const ImpactPairs pairs = match_impacts(entries(right), entries(of_run));
-  const ImpactMatch counts = impacts_until(end, entries(right), entries(of_run), pairs);
+  const ImpactMatch counts = impacts_until(counted.end, entries(right), entries(of_run), pairs);
   ContactMatch result;
   result.exact = counts.exact;
   result.found = counts.found;
@@ -45,7 +47,7 @@ ContactMatch match_contacts(const std::vector<ElasticContact>& exact,
   for (const auto& [i, j] : pairs) {
     const ElasticContact& one = right[i];
     const ElasticContact& other = of_run[j];
-    if (one.entry > end) {
+    if (one.entry > counted.end) {
       continue;
     }
     if (!result.peak || one.peak > result.peak->exact) {
@@ -55,6 +57,8 @@ ContactMatch match_contacts(const std::vector<ElasticContact>& exact,
     if (one.exit && other.exit) {
       raise(result.impulse_error, percent_off(other.impulse, one.impulse));
       raise(result.time_error, percent_off(*other.exit - other.entry, *one.exit - one.entry));
+    }
+    if (one.exit && other.exit && std::min(one.entry_speed, other.entry_speed) > counted.speed) {
       raise(result.restitution_error,
             std::abs(other.exit_speed / other.entry_speed - one.exit_speed / one.entry_speed));
     }

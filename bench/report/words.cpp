@@ -132,7 +132,7 @@ std::vector<std::string> how_to_read(const Report& report) {
       fmt::format(words::about_verdicts, "verdicts"_a = verdict_words())};
   if (report.has_contacts()) {
     result.insert(std::find(result.begin(), result.end(), words::about_energy),
-                  words::about_contacts);
+                  fmt::format(words::about_contacts, "speed"_a = report.options.count_speed));
   }
   return result;
 }

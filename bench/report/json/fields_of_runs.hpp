@@ -156,7 +156,8 @@ void fields(Visitor& visit, ExactAndFound& both) {
 template <class Visitor>
 void fields(Visitor& visit, ContactMatch& contacts) {
   visit.means(
-      "contacts of elastic cables up to the horizon; the errors are the worst of the pairs, null "
+      "contacts of elastic cables up to the horizon, counted if they begin faster than 0.01 m/s or "
+      "with the motion; the errors are the worst of the pairs, null "
       "without a pair that has ended on both sides");
   visit("exact", contacts.exact, "counted contacts of the exact motion");
   visit("found", contacts.found, "counted contacts of the run");

@@ -9,6 +9,7 @@
 
 #include "tautline/case_file.hpp"
 #include "tautline/detail/scalar.hpp"
+#include "tautline/elastic_contacts.hpp"
 #include "tautline/solve.hpp"
 
 namespace tautline::bench {
@@ -197,6 +198,26 @@ TEST(Recipes, MovingAnchorPullsAtItsOwnSpeed) {
   expect_near(found.front().time, 3.0 / anchor, rounding);
   expect_near(found.front().impulses[0], the_case.body.mass * (1.0 + e) * anchor, rounding);
   expect_near(anchor + found.front().after.velocity.x(), (1.0 + e) * anchor, rounding);
+}
+
+TEST(Recipes, HawserPullsAsADampedOscillator) {
+  const SystemReading reading = read_system(recipes() / "hawser.toml");
+  ASSERT_TRUE(reading.system) << reading.problems.size();
+  const double mass = 20000.0;
+  const double stiffness = 6e6 / 30.0;
+  const double ratio = 4000.0 / (2.0 * std::sqrt(stiffness * mass));
+  const double root = std::sqrt(1.0 - ratio * ratio);
+  const double duration = 2.0 * std::acos(ratio) / (std::sqrt(stiffness / mass) * root);
+  const double wait = (0.5 * std::numbers::pi - 3.0 * std::asin(ratio)) / root;  // of 1/frequency
+  const auto contacts = elastic_contacts(solve(*reading.system));
+  ASSERT_EQ(contacts.size(), 1U);
+  expect_near(contacts.front().entry, 1.0, rounding);
+  expect_near(contacts.front().peak, std::sqrt(stiffness * mass) * std::exp(-ratio * wait),
+              swing_rounding);
+  ASSERT_TRUE(contacts.front().exit);
+  expect_near(*contacts.front().exit - 1.0, duration, swing_rounding);
+  expect_near(contacts.front().exit_speed,
+              std::exp(-ratio * std::sqrt(stiffness / mass) * duration), swing_rounding);
 }
 
 }  // namespace

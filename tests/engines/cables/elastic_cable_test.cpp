@@ -219,6 +219,28 @@ TEST(StretchingCable, TellsTensionPeakAndImpulse) {
   EXPECT_NEAR(setup.scene->peak_tension(0), most, 1e-5 * load_weight);
 }
 
+TEST(StretchingCable, IsDampedByItsOwnDamperAloneWhereThatIsLarger) {
+  constexpr double ratio = 0.1;
+  constexpr double turn = 0.1;  // [rad], of the oscillator in a step: that alone is a ratio of 0.05
+  constexpr double rate = 240.0;
+  const double stiffness = load_mass * turn * turn * rate * rate;
+  const double restitution = 0.744079398;      // of this ratio, (E6)
+  constexpr double late = 2.0 * ratio * turn;  // [-]: the damper begins up to a step late
+  for (int part = 0; part < 8; ++part) {
+    Scene scene(0.0, rate);
+    scene.add_body(load_mass, load_moment * Vec3::Ones(),
+                   Vec3(0.0, -0.9 - part / (8.0 * rate), 0.0), Vec3(0.0, -1.0, 0.0));
+    CableData cable = {{0, Vec3::Zero()}, {-1, Vec3::Zero()}, 1.0, 0.0};
+    cable.stiffness = {stiffness};
+    cable.damping_ratio = ratio;
+    scene.add_cable(cable);
+    for (int step = 0; step < 120; ++step) {
+      scene.step();
+    }
+    EXPECT_NEAR(scene.body(0).velocity.y(), restitution, late) << part;
+  }
+}
+
 TEST(StretchingCable, BreaksInASnapAtItsBreakingTension) {
   for (const bool breaks : {false, true}) {
     const OneCable setup = falling_load(0.4, 3000.0, 0.1, 960.0);

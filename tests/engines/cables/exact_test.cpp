@@ -364,6 +364,7 @@ constexpr double most_over_step_of_elastic = 80.0;
 template <int D>
 void expect_first_order_of_elastic(const ExactWorld<D>& world) {
   constexpr double slope_error = 0.3;  // [-]: where in a step a contact begins is chance
+  // The order is more than the first on the way to steps that damp less than the cable itself.
   BasicSystem<double, D> system = world.system;
   system.duration = world.end;
   EXPECT_EQ(problems(system), std::vector<std::string>());
@@ -371,7 +372,7 @@ void expect_first_order_of_elastic(const ExactWorld<D>& world) {
   const double order = order_of(world, 480.0, most_over_step_of_elastic);
   // in float the rounding of a stretch near 5 m, times the stiffness, is as large as a step's error
   if (Scene::rounding < 1e-10) {
-    EXPECT_NEAR(order, 1.0, slope_error) << world.name;
+    EXPECT_GE(order, 1.0 - slope_error) << world.name;
   }
 }
 

@@ -271,8 +271,7 @@ class CableSpring {
     for (int done = 0; done < halvings; ++done) {
       const double growth = (low + high) / 2;
       const double damped = law_.force(counted_) + active_damping() * growth;
-      const double force =
-          std::max(law_.force(counted_ + dt_ * growth), growth > 0 ? damped : 0.0);
+      const double force = std::max(law_.force(counted_ + dt_ * growth), growth > 0 ? damped : 0.0);
       (growth + inverse_mass_ * dt_ * force > free ? high : low) = growth;
     }
     return counted_ + dt_ * high;

@@ -23,7 +23,7 @@
   const engines = [...new Set(audited.map((run) => run.engine))];
   const steps = [...new Set(audited.map((run) => run.step))].sort((a, b) => b - a);
   if (audited.length === 0) {
-    app.textContent = 'No run of this report has impacts to audit.';
+    app.textContent = 'Charts of single impacts are for cases of one body in the plane. No run of this report has such impacts.';
     return;
   }
   /// One engine at a time: the one that is shown alone, or that was chosen here, or the first.

@@ -198,7 +198,10 @@ Document causes_section(const Report& report) {
   const auto told = causes_of(report.causes);
   Document out;
   if (table.empty()) {
-    out.paragraph("No deviation was taken apart.");
+    out.paragraph(report.has_contacts()
+                      ? "No deviation was taken apart: causes go by impacts, and elastic cables "
+                        "have none."
+                      : "No deviation was taken apart.");
     return Document().in(Medium::page).section("attribution", heading, std::move(out));
   }
   out.in(Medium::page).paragraph(words::how_to_read_causes);

@@ -147,7 +147,7 @@ TEST(ElasticCable, KeepsToTheTableUnderAConstantLoad) {
     most = std::max(most, std::abs(stretch / row.stretch - 1.0));
     at = std::max(at, std::abs(first.peak_time - first.entry - row.at) * 100.0);
   }
-  expect_within("contact under a load", most, 3e-13);
+  expect_within("contact under a load", most, 1e-13);
   expect_within("instant of the peak", at, 2e-6);
 }
 
@@ -266,8 +266,8 @@ TEST(ElasticCable, AgreesWithAnotherMethod) {
   expect_alike("breakwater", apart_from_extrapolation(elastic(breakwater, soft), 4.0, 2e-3), 30,
                2e-12);
   expect_alike("stiff breakwater",
-               apart_from_extrapolation(elastic(breakwater, with_damping(1e5, 60.0)), 1.0, 4e-4), 8,
-               2e-11);
+               apart_from_extrapolation(elastic(breakwater, with_damping(1e5, 60.0)), 3.0, 4e-4),
+               88, 1e-10);
   expect_alike("undamped breakwater",
                apart_from_extrapolation(elastic(breakwater, with_damping(1e3, 0.0)), 2.0, 2e-3), 10,
                1e-11);

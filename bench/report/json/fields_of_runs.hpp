@@ -307,10 +307,10 @@ void fields(Visitor& visit, Attribution& attribution) {
     inside(
         "soft", soft,
         "of an engine that tells the springs and dampers that its cables are: the deviation once "
-        "more, in two parts, signed, along it [m]");
+        "more, in two parts, signed, along it [m]; left out where `reason` says why");
   });
   visit("reason", attribution.reason,
-        "why there are no parts, or why the instant is before the horizon");
+        "why there are no parts, why the instant is before the horizon, or why `soft` is left out");
 }
 
 template <class Visitor>

@@ -297,8 +297,8 @@ std::vector<ShippedSystem> shipped_systems() {
        "taut."},
       {elastic_breakwater(),
        "The breakwater on elastic cables whose damping ratio gives its restitution, 0.9. Its "
-       "first five contacts come in the order of its impacts, up to 48 ms earlier or later: "
-       "`tautline bridge` says how much."},
+       "first five contacts come in the order of its impacts, up to 48 ms earlier or later: see "
+       "`tautline bridge breakwater/1910121100`."},
       {elastic_strop(),
        "A load of 50 kg on an elastic strop below a hook of 10 kg, whose rope does not stretch. "
        "The "

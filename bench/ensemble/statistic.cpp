@@ -362,7 +362,7 @@ std::vector<Statistic> statistics_of(const EnsembleSpec& spec) {
        {"one_percent", "time to 1 %", "s", fixed(4), true, true, OfEngines::none,
         "when drag has taken 99 % of the energy that is left at the lock"},
        {"impacts_a_period", "impacts a period", "", fixed(2), true, true, OfEngines::none,
-        "in the last periods of the waves; none without them"}});
+        "of inextensible cables, in the last periods of the waves; none without waves"}});
   for (std::size_t cable = 0; cable < cables_of(spec.the_case); ++cable) {
     all.push_back({fmt::format("loss_{}", cable), fmt::format("loss in cable {}", cable), "",
                    fixed(4), true, true, OfEngines::all,

@@ -126,7 +126,8 @@ double first_contact(const TheReference& reference) {
   return events.empty() ? std::numeric_limits<double>::infinity() : events.front().time;
 }
 
-/// True if all cables are elastic, and a whole contact ends up to `until` [s], or the motion does.
+/// True if all cables are elastic, and a whole contact ends up to `until` [s], or the motion does:
+/// a load that hangs on its cable has no contact that ends.
 bool tells_contacts(const ReferenceSystem& reference, double until) {
   const auto& cables = reference.the_case.cables;
   if (!std::all_of(cables.begin(), cables.end(), [](const auto& one) { return is_elastic(one); })) {

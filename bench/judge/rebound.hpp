@@ -21,7 +21,7 @@ enum class Rebound {
   scatters,    // some are off, to both sides
   none,        // nothing comes back
   too_few,     // too few impacts can be read to tell
-  elastic,     // every cable is elastic and has no impacts; a whole contact was judged by position
+  elastic,     // every cable is elastic and has no impacts; judged by position
 };
 
 /// The rebounds of a run or of a model.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bench/base/listed.hpp"
 #include "bench/measure/contact_match.hpp"
 #include "bench/measure/impact_errors.hpp"
 #include "bench/measure/impact_match.hpp"
@@ -167,9 +168,12 @@ Metrics compare(const SpatialSystem& system, const BasicSolution<SpatialSystem>&
                 const CompareOptions& options) {
   Metrics metrics = compared(system, solution, settling, horizon, run, options);
   if (first_elastic(system)) {
+    const auto cuts = listed(system.cables, [](const SpatialCable& cable) {
+      return cable.cut_at.value_or(std::numeric_limits<double>::infinity());
+    });
     metrics.contacts = match_contacts(
         elastic_contacts(solution), run.contacts,
-        {options.count_speed, 2.0 * run.step, std::min(solution.end_time(), horizon)});
+        {options.count_speed, 2.0 * run.step, std::min(solution.end_time(), horizon), cuts});
   }
   return metrics;
 }

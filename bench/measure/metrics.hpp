@@ -55,7 +55,7 @@ struct ExactAndFound {
 };
 
 /// Contacts of elastic cables that begin up to the horizon, of a run against those of the exact
-/// motion: the errors are the worst of the pairs, none without a pair that has a number.
+/// motion: the errors are the worst of the pairs, none without a pair that has the number by then.
 struct ContactMatch {
   std::size_t exact = 0;                    // counted contacts of the exact motion
   std::size_t found = 0;                    // counted contacts of the run

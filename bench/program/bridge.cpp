@@ -137,7 +137,7 @@ void add_bridge(CLI::App& app, int& code) {
   add_target(*command, "--html", asked->html, "write it as a page, with a picture,");
   command->footer(
       "tautline bridge breakwater/1910121100\n"
-      "tautline bridge crane-slings --stiffness 1e8..1e12 --html bridge.html");
+      "tautline bridge bouncing-ball --stiffness 1e5..1e9 --html bridge.html");
   command->callback([asked, &code] { code = bridge_command(*asked); });
 }
 

@@ -295,6 +295,13 @@ double worst_overstretch(const TheCase& the_case, const StateOf<TheCase>& state)
   return worst;
 }
 
+/// The rate of the gap, also right before a cable is hooked up and after it is cut.
+double rate_in_step(SpatialCable cable, const SpatialSystemState& state) {
+  cable.from_time = cable.cut_at = std::nullopt;
+  return gap_rate(cable, state);
+}
+double rate_in_step(const Cable& cable, const State& state) { return gap_rate(cable, state); }
+
 /// The contacts of elastic cables, from the impulses of the steps.
 template <class TheCase>
 class ContactRecorder {
@@ -325,12 +332,12 @@ class ContactRecorder {
       const bool acts = impulses[index] > 0.0 ? stretched || gap(cable, before) < 0.0
                                               : impulses[index] < 0.0 && stretched;
       if (!acts) {
-        close(contact, start, gap_rate(cable, before));
+        close(contact, start, rate_in_step(cable, before));
         continue;
       }
       if (!contact) {
-        contact =
-            ElasticContact{.cable = index, .entry = start, .entry_speed = -gap_rate(cable, before)};
+        contact = ElasticContact{
+            .cable = index, .entry = start, .entry_speed = -rate_in_step(cable, before)};
       }
       contact->impulse += impulses[index];
       if (impulses[index] / dt > contact->peak) {

@@ -34,7 +34,7 @@ class Sentences {
 
   [[nodiscard]] std::string text() const {
     std::string result = stretched_starts() + ending() + "\n";
-    if (!motion_.solution().events().empty()) {
+    if (has_impacts() && !motion_.solution().events().empty()) {
       result += last_impacts() + "\n";
     }
     for (std::size_t i = 0; i < settling_.cables.size(); ++i) {
@@ -50,6 +50,13 @@ class Sentences {
   }
 
  private:
+  /// True where a cable may have impacts; the contacts of an elastic one have a table of their own.
+  [[nodiscard]] bool has_impacts() const {
+    const auto& cables = motion_.system().cables;
+    return !std::all_of(cables.begin(), cables.end(),
+                        [](const auto& cable) { return is_elastic(cable); });
+  }
+
   /// A number with its right digits; with a few and "about" where the motion is one of many.
   [[nodiscard]] static std::string number(double value, double error) {
     return error < 0.0 ? fmt::format("about {:.{}g}", value, digits_of_one_motion)
@@ -219,9 +226,11 @@ class Sentences {
 
   [[nodiscard]] std::string forced(const ForcedMotion& forced) const {
     const std::string count = fmt::format("{:.3g}", forced.impacts);
-    std::string result =
-        fmt::format("The waves come again every {:.6g}; in a period {} {} impact{}", forced.period,
-                    count == "1" ? "there is" : "there are", count, count == "1" ? "" : "s");
+    std::string result = fmt::format("The waves come again every {:.6g}", forced.period);
+    if (has_impacts()) {
+      result += fmt::format("; in a period {} {} impact{}", count == "1" ? "there is" : "there are",
+                            count, count == "1" ? "" : "s");
+    }
     result += forced.repeats
                   ? fmt::format(", and the motion repeats every {}.",
                                 *forced.repeats == 1 ? "period"
@@ -248,9 +257,10 @@ class Sentences {
                                     : "";
     return fmt::format(
                "Kinetic energy: {} at the start, {} at the end. Gravity, forces, drag and what "
-               "moves ends and lengths give {}; impacts take {}.",
+               "moves ends and lengths give {}{}.",
                part(ledger.start, std::max(0.0, errors.start)), part(ledger.end, errors.end),
-               part(ledger.work, errors.work), part(lost, error)) +
+               part(ledger.work, errors.work),
+               has_impacts() ? "; impacts take " + part(lost, error) : "") +
            elastic;
   }
 

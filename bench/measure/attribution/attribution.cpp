@@ -138,24 +138,29 @@ OneBody farthest(const StateDifference<SpatialSystem>& d) {
   return {found, 3};
 }
 
-/// D(T) of a run with soft cables, as its model and its steps have it; none where its cables are
-/// not soft, or their motion is not found.
+/// Splits D(T) of a run with soft cables into its model and its steps; says why where it cannot.
 template <class TheCase>
-std::optional<SoftParts> soft_parts(const TheCase& the_case, const BasicTrajectory<TheCase>& run,
-                                    const StateOf<TheCase>& there, const StateOf<TheCase>& exact,
-                                    double time) {
+void add_soft_parts(const TheCase& the_case, const BasicTrajectory<TheCase>& run,
+                    const StateOf<TheCase>& there, const StateOf<TheCase>& exact,
+                    Attribution& result) {
   if (run.soft_rows.size() != the_case.cables.size()) {
-    return std::nullopt;
+    return;  // its cables are not soft
   }
-  const auto soft = soft_motion(the_case, run.soft_rows, time);
   const auto whole = difference(there, exact);
   const OneBody body = farthest(whole);
   const Eigen::VectorXd deviation = body.place(whole);
-  if (!soft || !(deviation.norm() > 0.0)) {
-    return std::nullopt;
+  const auto leave_out = [&](const std::string& why) {
+    result.reason += (result.reason.empty() ? "" : "; ") + ("no model and step: " + why);
+  };
+  if (!(deviation.norm() > 0.0)) {
+    return leave_out("there is no deviation");
   }
-  const double model = deviation.normalized().dot(body.place(difference(*soft, exact)));
-  return SoftParts{model, deviation.norm() - model};
+  const auto soft = soft_motion(the_case, run.soft_rows, result.until);
+  if (!soft.state) {
+    return leave_out(soft.why);
+  }
+  const double model = deviation.normalized().dot(body.place(difference(*soft.state, exact)));
+  result.soft = SoftParts{model, deviation.norm() - model};
 }
 
 /// What has been summed up to T.
@@ -424,12 +429,11 @@ Attribution attributed(const TheCase& the_case, const BasicSolution<TheCase>& so
   if (!best) {
     return nothing("the deviation is amplification from the first impact on");
   }
-  best->soft = soft_parts(the_case, run, run.points[best_point].state, solution.at(best->until),
-                          best->until);
   best->covered = std::min(1.0, best->until / goal);
   if (goal - best->until > 2.0 * run.step) {
     best->reason = reason_to_end(*best, tried.back(), end, run.step, most_impacts<TheCase>);
   }
+  add_soft_parts(the_case, run, run.points[best_point].state, solution.at(best->until), *best);
   return *best;
 }
 

@@ -84,8 +84,8 @@ struct Attribution {
   double remainder = 0.0;           // [m], |D(T)| minus the parts
   std::size_t arcs = 0;             // flights and taut stretches up to T
   std::size_t impacts = 0;          // impact segments up to T
-  std::optional<SoftParts> soft;    // where the cables are soft, and `parts` are there
-  std::string reason;               // why there are no parts, or why T is before the horizon; or ""
+  std::optional<SoftParts> soft;    // where the cables are soft, and both motions are found
+  std::string reason;  // why there are no parts, why T is before the horizon, or no `soft`; or ""
 };
 
 /// Attributes the deviation of `run` from `solution`, both of `the_case`, before `horizon` [s].

@@ -1,5 +1,7 @@
 #include "bench/measure/attribution/soft_motion.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -17,7 +19,7 @@ namespace {
 /// Steps in the time that the fastest row has by its stiffness or its damping [-].
 constexpr double steps_in_time = 100.0;
 
-/// More steps than this with stretched cables are not taken; a flight of a system costs a motion.
+/// More steps and flights than this are not taken; a flight of a system costs a motion.
 template <class TheCase>
 constexpr std::size_t most_soft_steps = std::is_same_v<TheCase, Case> ? 400'000 : 20'000;
 
@@ -52,18 +54,21 @@ class SoftMotion {
     }
   }
 
-  [[nodiscard]] std::optional<State> end() {
+  [[nodiscard]] SoftEnd<State> end() {
     for (std::size_t steps = 0; time_ < until_; ++steps) {
       if (steps == most_soft_steps<TheCase>) {
-        return std::nullopt;
+        return {std::nullopt,
+                fmt::format("springs and dampers need more than {} steps up to then", steps)};
       }
       if (!stretched(state_).empty()) {
         step();
       } else if (!fly()) {
-        return std::nullopt;
+        return {
+            std::nullopt,
+            fmt::format("the motion of springs and dampers is not found after t = {:.6g}", time_)};
       }
     }
-    return state_;
+    return {state_, ""};
   }
 
  private:
@@ -178,12 +183,12 @@ class SoftMotion {
 
 }  // namespace
 
-std::optional<State> soft_motion(const Case& the_case, std::span<const SoftRow> rows, double time) {
+SoftEnd<State> soft_motion(const Case& the_case, std::span<const SoftRow> rows, double time) {
   return SoftMotion(the_case, rows, time).end();
 }
 
-std::optional<SpatialSystemState> soft_motion(const SpatialSystem& system,
-                                              std::span<const SoftRow> rows, double time) {
+SoftEnd<SpatialSystemState> soft_motion(const SpatialSystem& system, std::span<const SoftRow> rows,
+                                        double time) {
   return SoftMotion(system, rows, time).end();
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 
 #include "tautline/case.hpp"
 #include "tautline/engine.hpp"
@@ -19,13 +20,22 @@ namespace tautline::bench {
 //   stretched  steps of 1/100 of the time sqrt(1/stiffness): half of the pull's impulse, a free
 //              flight, the other half; of second order, off by 1e-5 of a contact
 
-/// `the_case` at `time` [s] if its cables are `rows`, one for each; none where that takes too many
-/// steps or the motion between two contacts cannot be found.
-[[nodiscard]] std::optional<State> soft_motion(const Case& the_case, std::span<const SoftRow> rows,
-                                               double time);
+/// The end of that motion, or why it is not found.
+template <class TheState>
+struct SoftEnd {
+  std::optional<TheState> state;
+  std::string why;  // a sentence without its point; "" with a state
+
+  explicit operator bool() const { return state.has_value(); }
+  const TheState* operator->() const { return &state.value(); }
+};
+
+/// `the_case` at `time` [s] if its cables are `rows`, one for each; not found where that takes too
+/// many steps or the motion between two contacts cannot be found.
+[[nodiscard]] SoftEnd<State> soft_motion(const Case& the_case, std::span<const SoftRow> rows,
+                                         double time);
 /// Likewise of a system.
-[[nodiscard]] std::optional<SpatialSystemState> soft_motion(const SpatialSystem& system,
-                                                            std::span<const SoftRow> rows,
-                                                            double time);
+[[nodiscard]] SoftEnd<SpatialSystemState> soft_motion(const SpatialSystem& system,
+                                                      std::span<const SoftRow> rows, double time);
 
 }  // namespace tautline::bench

@@ -157,18 +157,21 @@ template <class Visitor>
 void fields(Visitor& visit, ContactMatch& contacts) {
   visit.means(
       "contacts of elastic cables up to the horizon, counted if they begin faster than 0.01 m/s or "
-      "with the motion; the errors are the worst of the pairs, null "
-      "without a pair that has ended on both sides");
+      "with the motion; the errors are the worst of the pairs, null without a pair to compare");
   visit("exact", contacts.exact, "counted contacts of the exact motion");
   visit("found", contacts.found, "counted contacts of the run");
   visit("matched", contacts.matched, "pairs, one to one");
   visit("peak", contacts.peak,
-        "the largest tension [N], the run's a mean over a step; null without a pair");
-  visit("peak_error", contacts.peak_error, "of a contact's largest tension [%]");
-  visit("impulse_error", contacts.impulse_error, "of a contact's impulse [%]");
-  visit("time_error", contacts.time_error, "of the time that a contact lasts [%]");
+        "the largest tension [N], the run's a mean over a step; null without a pair to compare");
+  visit("peak_error", contacts.peak_error,
+        "of a contact's largest tension [%], ended or not, if the exact peak is by the horizon");
+  visit("impulse_error", contacts.impulse_error,
+        "of a contact's impulse [%], of pairs that have ended on both sides, the exact contact by "
+        "the horizon");
+  visit("time_error", contacts.time_error, "of the time that a contact lasts [%], of these pairs");
   visit("restitution_error", contacts.restitution_error,
-        "of a contact's exit speed over its entry speed [-]");
+        "of a contact's exit speed over its entry speed [-], of these pairs; not of one that a cut "
+        "ends, or that begins no faster than 0.01 m/s");
 }
 
 template <class Visitor>
@@ -304,10 +307,10 @@ void fields(Visitor& visit, Attribution& attribution) {
     inside(
         "soft", soft,
         "of an engine that tells the springs and dampers that its cables are: the deviation once "
-        "more, in two parts, signed, along it [m]");
+        "more, in two parts, signed, along it [m]; left out where `reason` says why");
   });
   visit("reason", attribution.reason,
-        "why there are no parts, or why the instant is before the horizon");
+        "why there are no parts, why the instant is before the horizon, or why `soft` is left out");
 }
 
 template <class Visitor>

@@ -246,7 +246,8 @@ void fields(Visitor& visit, SystemLockRow& lock) {
 template <class Visitor>
 void fields(Visitor& visit, ForcedMotion& forced) {
   visit("period", forced.period, "common to all waves [s]");
-  visit("impacts", forced.impacts, "in a period, the mean of the last ones");
+  visit("impacts", forced.impacts,
+        "in a period, the mean of the last ones; contacts of elastic cables are not counted");
   visit("repeats", forced.repeats,
         "the motion comes again after this number of periods; null: it is not seen to do so three "
         "times");

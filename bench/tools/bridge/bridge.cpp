@@ -170,7 +170,10 @@ class BridgeComparison {
       bridge.rows.push_back(row_of(bridge, motion));
     }
     bridge.deviation_slope = exponent(bridge.rows, &BridgeRow::deviation);
-    bridge.shift_slope = exponent(bridge.rows, &BridgeRow::shift);
+    // the first contact begins with its impact: alone, its shift is rounding
+    if (count > 1) {
+      bridge.shift_slope = exponent(bridge.rows, &BridgeRow::shift);
+    }
     return {bridge, ""};
   }
 

@@ -62,7 +62,7 @@ struct Bridge {
   double until;                       // [s], the deviations are those up to here
   std::vector<BridgeRow> rows;        // by rising stiffness, at least two
   std::string why;                    // a sentence: why no more impacts are compared; may be empty
-  /// Exponents of the stiffness, by least squares; none where a difference is 0.
+  /// Exponents of k, by least squares; none where a difference is 0, or of the shift of one impact.
   std::optional<double> deviation_slope;
   std::optional<double> shift_slope;
 };

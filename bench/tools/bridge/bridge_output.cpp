@@ -53,7 +53,9 @@ void fields(Visitor& visit, Bridge& bridge) {
         "a sentence: why no more impacts are compared; empty: no more were asked for, or "
         "there are none");
   visit("rows", bridge.rows, Says("by rising stiffness").not_empty());
-  visit.group("slopes", "exponents of the stiffness, by least squares; null where one is 0",
+  visit.group("slopes",
+              "exponents of the stiffness, by least squares; null where a difference is 0, and of "
+              "the shift of a single impact",
               [&](auto& inside) {
                 inside("deviation", bridge.deviation_slope);
                 inside("shift", bridge.shift_slope);
@@ -142,23 +144,33 @@ std::string compared_sentence(const Bridge& bridge) {
                      bridge.why.empty() ? "" : ": " + bridge.why);
 }
 
-/// A sentence or two on the slopes.
+/// "The deviation falls with k^-0.500.", or why it has no exponent.
+std::string one_slope(const char* name, const std::optional<double>& slope) {
+  return slope ? fmt::format("The {} falls with k^{:.3f}.", name, *slope)
+               : fmt::format("The {} has no exponent: at a stiffness it is 0.", name);
+}
+
+/// A sentence for each slope, and one on what they are for large stiffnesses.
 std::string slope_sentence(const Bridge& bridge) {
-  if (!bridge.deviation_slope || !bridge.shift_slope) {
-    return "There is no exponent: a difference is 0.";
+  std::string result = one_slope("deviation", bridge.deviation_slope) + " ";
+  result += bridge.impacts.size() > 1
+                ? one_slope("shift", bridge.shift_slope)
+                : "The shift has no exponent: the first contact begins with its impact.";
+  if (bridge.deviation_slope || bridge.shift_slope) {
+    const char* const fall = !bridge.shift_slope      ? "the deviation falls"
+                             : bridge.deviation_slope ? "both fall"
+                                                      : "the shift falls";
+    result += fmt::format(" For large k {} with k^{:g}.", fall, expected_slope);
   }
-  const double deviation = *bridge.deviation_slope;
-  std::string result = fmt::format("The deviation falls with k^{:.3f}, the shift with k^{:.3f}; ",
-                                   deviation, *bridge.shift_slope);
-  if (std::max(std::abs(deviation - expected_slope),
-               std::abs(*bridge.shift_slope - expected_slope)) <= slope_tolerance) {
-    return result + fmt::format("for large k both do so with k^{:g}.", expected_slope);
+  const auto is_off = [](const std::optional<double>& slope) {
+    return slope && std::abs(*slope - expected_slope) > slope_tolerance;
+  };
+  if (is_off(bridge.deviation_slope) || is_off(bridge.shift_slope)) {
+    result +=
+        " These stiffnesses are not all large enough for that: the exponents between the last ones "
+        "are nearer to it, or the motion is so sensitive that only larger ones are.";
   }
-  return result + fmt::format(
-                      "for large k both do so with k^{0:g}. These stiffnesses are not all large "
-                      "enough for that: the exponents between the last ones are nearer to it, or "
-                      "the motion is so sensitive that only larger ones are.",
-                      expected_slope);
+  return result;
 }
 
 constexpr const char* how_to_read_rows =

@@ -17,6 +17,7 @@
 #include "tautline/scenarios.hpp"
 #include "tautline/solve.hpp"
 #include "tautline/system_geometry.hpp"
+#include "tests/bench/spoilt_scheme.hpp"
 
 namespace tautline::bench {
 namespace {
@@ -137,7 +138,9 @@ TEST(SoftMotion, GivesUpWhereStepsAreTooMany) {
   the_case.initial.position.y() = 0.0;
   the_case.duration = 100.0;
   const std::vector<SoftRow> rows = {{1e12, 1.4e6}};
-  EXPECT_FALSE(soft_motion(the_case, rows, the_case.duration));
+  const auto after = soft_motion(into_a_spring_in_space(the_case), rows, the_case.duration);
+  EXPECT_FALSE(after);
+  EXPECT_EQ(after.why, "springs and dampers need more than 20000 steps up to then");
 }
 
 /// A point mass on a spring and a damper, in steps of semi-implicit Euler.
@@ -196,6 +199,23 @@ TEST(AttributionOfSoftCables, ShorterStepsTakeAwayTheirPartAndLeaveTheModels) {
   EXPECT_GT(std::abs(fine.model), 10.0 * std::abs(fine.step));
 }
 
+TEST(AttributionOfSoftCables, SaysWhyItLeavesThemOut) {
+  Case the_case = bouncing_ball(0.7);
+  the_case.duration = 2.0;
+  const SpatialSystem system = into_a_spring_in_space(the_case);
+  const auto solution = solve(system);
+  tautline::test::Spoiled simulation(system, {}, {});  // by nothing
+  SystemTrajectory run = record(system, simulation, 1e-3);
+  const Attribution without = attribute(system, solution, solution.end_time(), run);
+  ASSERT_TRUE(without.parts) << without.reason;
+  EXPECT_EQ(without.reason, "");
+  run.soft_rows = {{1.0, 1e10}};  // it creeps
+  const Attribution found = attribute(system, solution, solution.end_time(), run);
+  EXPECT_FALSE(found.soft);
+  EXPECT_EQ(found.reason,
+            "no model and step: springs and dampers need more than 20000 steps up to then");
+}
+
 TEST(AttributionOfSoftCables, HasNoSuchPartsWhereCablesAreNotSoft) {
   Case the_case = bouncing_ball(0.7);
   the_case.duration = 2.0;
@@ -204,7 +224,9 @@ TEST(AttributionOfSoftCables, HasNoSuchPartsWhereCablesAreNotSoft) {
   Trajectory run = record(the_case, simulation, 1e-3);
   ASSERT_EQ(run.soft_rows.size(), 1U);
   run.soft_rows.clear();
-  EXPECT_FALSE(attribute(the_case, reference.solution, reference.horizon, run).soft);
+  const Attribution found = attribute(the_case, reference.solution, reference.horizon, run);
+  EXPECT_FALSE(found.soft);
+  EXPECT_EQ(found.reason.find("model"), std::string::npos) << found.reason;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -177,6 +178,54 @@ TEST(Record, SoftRowsAreThoseOfTheCables) {
 }
 
 // as every plug-in does that is older than TensionImpulses
+/// A body that goes straight away from the anchor of its cable with 0.1 m/s, whatever pulls. Its
+/// elastic cable pulls with 1 N between two times.
+class GoesOn final : public SystemSimulation {
+ public:
+  GoesOn(SpatialSystem system, double from, double until)
+      : now_(std::move(system.initial)), from_(from), until_(until) {}
+  [[nodiscard]] SpatialSystemState state() const override { return now_; }
+  [[nodiscard]] std::span<const double> impulses() const override { return impulses_; }
+  void step(double dt) override {
+    const double end = time_ + dt;
+    impulses_[0] = std::max(0.0, std::min(end, until_) - std::max(time_, from_));
+    time_ = end;
+    now_.bodies[0].position += dt * now_.bodies[0].velocity;
+  }
+
+ private:
+  SpatialSystemState now_;
+  double from_;   // [s]
+  double until_;  // [s]
+  double time_ = 0.0;
+  std::vector<double> impulses_ = {0.0};
+};
+
+TEST(Record, AContactHasItsSpeedsWhereItsCableIsHookedUpAndCutInAStep) {
+  SpatialSystem system;
+  system.name = "goes on";
+  system.duration = 0.4;
+  system.bodies.resize(1);
+  system.initial.bodies.resize(1);
+  system.initial.bodies[0].position = {0.0, -1.0, 0.0};
+  system.initial.bodies[0].velocity = {0.0, -0.1, 0.0};
+  SpatialCable cable;
+  cable.from = {std::nullopt, Eigen::Vector3d::Zero(), {}};
+  cable.to = {0, Eigen::Vector3d::Zero(), {}};
+  cable.elasticity = Elasticity{{100.0}, 0.0, 0.0};
+  cable.from_time = 0.1005;
+  cable.cut_at = 0.2005;
+  system.cables = {cable};
+  GoesOn simulation(system, *cable.from_time, *cable.cut_at);
+  const SystemTrajectory run = record(system, simulation, 1e-3);
+  ASSERT_EQ(run.contacts.size(), 1U);
+  const ElasticContact& contact = run.contacts.front();
+  EXPECT_NEAR(contact.impulse, 0.1, 1e-12);
+  EXPECT_NEAR(contact.entry_speed, 0.1, 1e-12);
+  EXPECT_NEAR(contact.exit_speed, -0.1, 1e-12);  // it is cut while it is stretched
+  EXPECT_NEAR(contact.exit.value(), *cable.cut_at, 1e-3);
+}
+
 TEST(Record, ASimulationThatTellsNoTensionsHasNone) {
   Scripted simulation(plumb(), [](Scripted& s, int, double dt) { s.pulls[0] = dt; });
   const Trajectory run = record(plumb(), simulation, 0.125);

@@ -147,6 +147,39 @@ TEST(Bridge, SaysWhyThereIsNone) {
   EXPECT_NE(problem(both).find("several cables take part in an impact"), std::string::npos);
 }
 
+TEST(Bridge, SaysOfEachDifferenceWhetherItHasAnExponent) {
+  const auto ends_with = [](const Bridge& bridge, const std::string& words) {
+    const std::string text = bridge_text(bridge, unlimited);
+    EXPECT_TRUE(text.ends_with(words + "\n")) << words << "\nis not the end of\n" << text;
+  };
+  Bridge alone = bridge_in(bridge_of(standard_with(.9), {1e6, 1e8, 1}));
+  EXPECT_FALSE(alone.shift_slope) << "of rounding";
+  ASSERT_TRUE(alone.deviation_slope);
+  alone.deviation_slope = -0.5;
+  ends_with(
+      alone,
+      "The deviation falls with k^-0.500. The shift has no exponent: the first contact begins "
+      "with its impact. For large k the deviation falls with k^-0.5.");
+  alone.deviation_slope.reset();
+  ends_with(alone,
+            "The deviation has no exponent: at a stiffness it is 0. The shift has no exponent: the "
+            "first contact begins with its impact.");
+  Bridge several = bridge_in(bridge_of(standard_with(.9), {1e6, 1e8, 2}));
+  ASSERT_TRUE(several.shift_slope);
+  several.deviation_slope = several.shift_slope = -0.51;
+  ends_with(
+      several,
+      "The deviation falls with k^-0.510. The shift falls with k^-0.510. For large k both fall "
+      "with k^-0.5.");
+  several.deviation_slope.reset();
+  several.shift_slope = -0.4;
+  EXPECT_NE(
+      bridge_text(several, unlimited)
+          .find("The deviation has no exponent: at a stiffness it is 0. The shift falls with "
+                "k^-0.400. For large k the shift falls with k^-0.5. These stiffnesses are not all"),
+      std::string::npos);
+}
+
 TEST(Bridge, IsWrittenInThreeWays) {
   const Bridge bridge = bridge_in(bridge_of(standard_with(.9), {1e5, 1e7, 3}));
   const std::string text = bridge_text(bridge, unlimited);

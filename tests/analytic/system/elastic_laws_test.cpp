@@ -246,6 +246,17 @@ TEST(CutOfNothing, BrakesASlackCableToo) {
   EXPECT_NEAR(ledger.dissipated, 0.5 - later * later / 2.0, 1e-14);
 }
 
+TEST(CutOfNothing, AccountsForAPassByItsAnchor) {
+  System system =
+      drop<double>(with_cut(with_damping(100.0, 0.1), ElasticCut::never), 10.0, 0.0, 1.8);
+  for (const double off : {1e-3, 1e-6, 1e-9}) {
+    system.initial.bodies[0].position.x() = off;
+    const SystemLedger ledger = energy_ledger(system, solve(system));
+    EXPECT_GT(ledger.dissipated, 0.1);
+    expect_within("passes at " + std::to_string(off) + " m", std::abs(ledger.residual), 1e-12);
+  }
+}
+
 /// All systems that are compared with another method, or whose energy is looked at.
 std::vector<std::pair<std::string, System>> systems_of_laws() {
   const System breakwater = breakwater_system<double>(1.0);

@@ -399,6 +399,27 @@ TEST(ElasticCable, AccountsForEveryJoule) {
   expect_within("box", residual(elastic_box<double>(with_ratio(2e3, 0.05))), allowed);
 }
 
+TEST(ElasticCable, AccountsForAContactOfNanoseconds) {
+  System system = drop<double>(with_ratio(4e14, 0.1), 0.0, 1.0, 0.05);
+  system.duration = 0.1;
+  ASSERT_TRUE(problems(system).empty());
+  const SystemLedger ledger = energy_ledger(system, solve(system));
+  const double kept = restitution_of(0.1);
+  // a stretch of 4e-8 m is the difference of numbers like 1 m
+  EXPECT_NEAR(ledger.dissipated, (1.0 - kept * kept) / 2.0, 1e-7);
+  expect_within("residual", std::abs(ledger.residual), 1e-7);
+}
+
+TEST(ElasticCable, AccountsForArcsThatDoubleItsLength) {
+  // an anchor that runs away at 20 m/s stretches a soft cable by metres
+  System system = drop<double>(with_damping(10.0, 0.0), 0.0, 0.0, 0.1);
+  system.cables[0].to.motion = Function<2>::linear({0.0, 1.0}, {Vec2(0.0, 0.0), Vec2(0.0, 20.0)});
+  system.duration = 0.7;
+  const SystemLedger ledger = energy_ledger(system, solve(system));
+  EXPECT_GT(ledger.stored, 100.0);
+  expect_within("residual", std::abs(ledger.residual) / ledger.range, 1e-14);
+}
+
 TEST(ElasticCable, PullsInTheTensionsOfItsSolution) {
   const System system = drop<double>(with_ratio(1e4, 0.1), 9.81, 1.0, 0.0);
   const auto solution = solve(system);

@@ -140,12 +140,15 @@ void sort_zone(const BasicSystem<Real, D>& system, std::size_t index, bool stret
   const bool pulls =
       stretched && acts && (cut != ElasticCut::force || elastic_tension(system, index, state) > 0);
   auto& zones = state.elastic;
+  const bool was_stretched = is_stretched(state, index);
   zones.engaged.erase(index);
   zones.loose.erase(index);
   if (!acts) {
     zones.resisting.erase(index);
   } else if (stretched) {
     (pulls ? zones.engaged : zones.loose).insert(index);
+  } else if (was_stretched && cut == ElasticCut::never) {
+    zones.resisting.insert(index);  // with the damper that it had
   } else if (cut == ElasticCut::never) {
     begin_resisting(system, index, state);
   }

@@ -26,9 +26,7 @@ inline constexpr double driven_strain = 1.0;
 inline const char* stiffness_key(const Elasticity& law) {
   return law.of_strain ? "EA" : "stiffness";
 }
-inline const char* stiffness_unit(const Elasticity& law) {
-  return law.of_strain ? "[N]" : "[N/m]";
-}
+inline const char* stiffness_unit(const Elasticity& law) { return law.of_strain ? "[N]" : "[N/m]"; }
 
 /// True where the function is a constant, as a file has one.
 template <int N>
@@ -41,7 +39,8 @@ bool is_constant(const Function<N>& function) {
 /// The response of a cable to an impulse of its own at the start [1/kg]; the largest in any
 /// direction where two of its ends meet and give none.
 template <int D>
-double response_at_start(const BasicSystem<double, D>& system, BasicCableOfSystem<double, D> cable) {
+double response_at_start(const BasicSystem<double, D>& system,
+                         BasicCableOfSystem<double, D> cable) {
   cable.from_time.reset();
   cable.cut_at.reset();
   const auto row = gap_gradient(cable, system.initial);
@@ -67,8 +66,8 @@ double response_at_start(const BasicSystem<double, D>& system, BasicCableOfSyste
   return most;
 }
 
-/// To which value the damper of this `law` must be lowered for a rate of at most `most` [rad/s], with the
-/// `frequency` of its first stiffness [rad/s].
+/// To which value the damper of this `law` must be lowered for a rate of at most `most` [rad/s],
+/// with the `frequency` of its first stiffness [rad/s].
 inline std::string slower_damper(const Elasticity& law, double most, double response,
                                  double frequency) {
   if (law.damping > 0.0) {
@@ -76,7 +75,8 @@ inline std::string slower_damper(const Elasticity& law, double most, double resp
   }
   const double ratio = most / (2.0 * frequency);
   return "damping_ratio to " + text(ratio) +
-         (law.cut == ElasticCut::force ? " (restitution " + text(restitution_of(ratio)) + ")" : "");
+         (law.cut == ElasticCut::force ? " (a restitution of " + text(restitution_of(ratio)) + ")"
+                                       : "");
 }
 
 /// The frequency of an elastic cable, or the rate of its damper if that is faster, says how many
@@ -139,8 +139,7 @@ bool is_driven(const BasicSystem<double, D>& system, std::size_t index) {
   bool result = !is_constant(system.gravity);
   for (std::size_t i = 0; i < system.bodies.size(); ++i) {
     const auto& body = system.bodies[i];
-    result =
-        result || (island[i] == own && !(is_constant(body.force) && body.moment.empty()));
+    result = result || (island[i] == own && !(is_constant(body.force) && body.moment.empty()));
   }
   for (const auto& cable : system.cables) {
     bool varies = cable.from_time || !is_constant(cable.length);
@@ -181,12 +180,12 @@ void check_turn(Sentences& wrong, const BasicSystem<double, D>& system, std::siz
       wrong.add(cable_name(index) + ": its force falls at a stretch of " +
                 text(found->time * base) + " m, which " +
                 (within_energy ? "the start and a fall through two lengths"
-                              : "what drives it over time") +
+                               : "a motion that is driven over time") +
                 " may reach; " + stiffness_key(law) + " must give a force that rises");
       return;
     }
     within_energy = within_energy && !(spring_energy(law, stretch, length) >
-                                     energy + 2.0 * weight * (length + stretch));
+                                       energy + 2.0 * weight * (length + stretch));
     if (!within_energy && !(driven && reach < driven_strain)) {
       return;
     }

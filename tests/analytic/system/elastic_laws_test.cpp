@@ -346,7 +346,8 @@ System towed(const Elasticity& law, double speed) {
 TEST(FallingForce, IsRefusedWhereSomethingDrivesTheCable) {
   Elasticity law = with_damping(10.0, 0.0);
   law.stiffness = {10.0, -10.0};
-  const std::string words = "m, which what drives it over time may reach; stiffness must give";
+  const std::string words =
+      "m, which a motion that is driven over time may reach; stiffness must give";
   const auto expect_words = [&](const System& system, const std::string& why) {
     const auto found = problems(system);
     ASSERT_EQ(found.size(), 1U) << why;

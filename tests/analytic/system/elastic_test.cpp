@@ -480,7 +480,7 @@ TEST(ElasticCable, TellsAFastDamperFromAStiffCable) {
   System system = drop<double>(with_ratio(1e4, damping_ratio_of(1e-12)), 9.81, 1.0, 0.1);
   Elasticity& law = *system.cables[0].elasticity;
   EXPECT_NEAR(advised(system, "the rate of its damper, ") / 1e8, 1.0, 1e-9);
-  law.damping_ratio = 1.001 * damping_ratio_of(advised(system, "(restitution "));
+  law.damping_ratio = 1.001 * damping_ratio_of(advised(system, "(a restitution of "));
   EXPECT_EQ(problems(system).size(), 1U);
   law.damping_ratio *= 0.998;
   EXPECT_TRUE(problems(system).empty());

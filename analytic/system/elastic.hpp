@@ -94,6 +94,22 @@ void begin_stretch(const BasicSystem<Real, D>& system, std::size_t index,
   }
 }
 
+/// True where elastic cable `index` lets go while it is still stretched: its damper takes all that
+/// its spring pulls with, or the force of its spring f(x) = x (k1 + k2 x + ...) has turned down to
+/// zero.
+template <class Real, int D>
+[[nodiscard]] bool lets_go_stretched(const BasicSystem<Real, D>& system, std::size_t index,
+                                     const BasicSystemState<Real, D>& state) {
+  const BasicCableOfSystem<Real, D>& cable = system.cables[index];
+  const std::vector<Real>& stiffness = cable.elasticity->stiffness;
+  const Real x = -gap(cable, state) / base_of(*cable.elasticity, length_at(cable, state));
+  Real slope(0);  // of the line to the force
+  for (std::size_t i = stiffness.size(); i-- > 0;) {
+    slope = slope * x + stiffness[i];
+  }
+  return state.elastic.damping[index] > 0 || slope < stiffness[0] / 2;
+}
+
 /// `state` after these `switches`.
 template <class Real, int D>
 [[nodiscard]] BasicSystemState<Real, D> switched(const BasicSystem<Real, D>& system,
@@ -118,7 +134,8 @@ template <class Real, int D>
     const ElasticCut cut = system.cables[index].elasticity->cut;
     if (cut == ElasticCut::never) {
       resisting.insert(index);
-    } else if (cut == ElasticCut::force && engaged.contains(index) && damping[index] > 0) {
+    } else if (cut == ElasticCut::force && engaged.contains(index) &&
+               lets_go_stretched(system, index, state)) {
       loose.insert(index);
     } else {
       loose.erase(index);
@@ -140,12 +157,15 @@ void sort_zone(const BasicSystem<Real, D>& system, std::size_t index, bool stret
   const bool pulls =
       stretched && acts && (cut != ElasticCut::force || elastic_tension(system, index, state) > 0);
   auto& zones = state.elastic;
+  const bool was_stretched = is_stretched(state, index);
   zones.engaged.erase(index);
   zones.loose.erase(index);
   if (!acts) {
     zones.resisting.erase(index);
   } else if (stretched) {
     (pulls ? zones.engaged : zones.loose).insert(index);
+  } else if (was_stretched && cut == ElasticCut::never) {
+    zones.resisting.insert(index);  // with the damper that it had
   } else if (cut == ElasticCut::never) {
     begin_resisting(system, index, state);
   }

@@ -134,15 +134,15 @@ std::vector<Real> SystemSeries<Real, D>::beyond(std::size_t index, const Real& c
 /// Adds the power [W] with which the changing length of a stretched cable changes what its law of
 /// strain stores: that is L E(x) at the strain x, and grows with L by E - x f.
 template <class Real, int D>
-void SystemSeries<Real, D>::add_power(const StretchSeries& one, std::vector<Real>& result) const {
+void SystemSeries<Real, D>::add_power(const StretchSeries& one, const Unit& unit,
+                                      std::vector<Real>& result) const {
   const CableSeries& cable = cables_[one.index];
   if (!one.law->of_strain || cable.steady || one.slack) {
     return;
   }
-  const auto strain = series::polynomial<Real>(one.parts.size(),
-                                               [&](std::size_t k) { return Real(-one.parts[k]); });
-  const auto lengthening =
-      series::rate_of<Real>(order_ + 1, [&](std::size_t k) { return cable.length[k]; });
+  const auto strain = series::polynomial<Real>(
+      one.parts.size(), [&](std::size_t k) { return unit.of(Real(-one.parts[k]), k); });
+  const auto lengthening = unit.rate_of(order_ + 1, [&](std::size_t k) { return cable.length[k]; });
   std::vector<Real> growth{one.piece.energy};
   std::vector<Real> power = strain;
   for (std::size_t i = 1; i <= one.law->stiffness.size(); ++i) {
@@ -165,7 +165,7 @@ template Instance SystemSeries<Instance, instance_dimension>::tension_scale(cons
                                                                             const Instance&) const;
 template std::vector<Instance> SystemSeries<Instance, instance_dimension>::beyond(
     std::size_t, const Instance&) const;
-template void SystemSeries<Instance, instance_dimension>::add_power(const StretchSeries&,
-                                                                    std::vector<Instance>&) const;
+template void SystemSeries<Instance, instance_dimension>::add_power(
+    const StretchSeries&, const series::TimeUnit<Instance>&, std::vector<Instance>&) const;
 
 }  // namespace tautline

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sentences.hpp"
+#include "system/elastic_problems.hpp"
 #include "system/least_value.hpp"
 #include "tautline/geometry.hpp"
 #include "tautline/system.hpp"
@@ -16,12 +17,9 @@
 namespace tautline {
 namespace {
 
-/// A shorter segment of a cable through a ring has no direction: as a share of the cable
-/// [-].
+/// A shorter segment of a cable that runs through a ring, or that resists while it is slack, has no
+/// direction: as a share of the cable [-].
 constexpr double shortest_segment = 1e-6;
-
-/// The frequency of an elastic cable times the duration may be this [-]: a million steps.
-constexpr double most_radians = 2.5e6;
 
 /// The place of `end` in the world at the start [m].
 template <int D>
@@ -56,14 +54,6 @@ std::string end_key(const BasicCableOfSystem<double, D>& cable, std::size_t inde
   return index == 0                      ? "from"
          : index <= cable.through.size() ? "through[" + std::to_string(index - 1) + "]"
                                          : "to";
-}
-
-/// True where the function is a constant, as a file has one.
-template <int N>
-bool is_constant(const Function<N>& function) {
-  return function.waves.empty() &&
-         (function.pieces.empty() ||
-          (function.pieces.size() == 1 && function.pieces.front().coefficients.size() < 2));
 }
 
 /// By which a file tells a body from the others.
@@ -112,8 +102,8 @@ class SystemChecker {
     }
     for (std::size_t index = 0; wrong_.none() && index < system_.cables.size(); ++index) {
       if (system_.cables[index].elasticity) {
-        check_frequency(index, system_.cables[index]);
-        check_turn(index, system_.cables[index]);
+        check_frequency(wrong_, system_, index);
+        check_turn(wrong_, system_, index);
       }
     }
     return std::move(wrong_).found();
@@ -226,14 +216,6 @@ class SystemChecker {
     }
   }
 
-  /// By which a file says how stiff a cable is, and in which unit.
-  static const char* stiffness_key(const Elasticity& law) {
-    return law.of_strain ? "EA" : "stiffness";
-  }
-  static const char* stiffness_unit(const Elasticity& law) {
-    return law.of_strain ? "[N]" : "[N/m]";
-  }
-
   /// The force rises from corner to corner.
   void check_corners(std::size_t index, const Elasticity& law) {
     if (!law.corners.empty() && law.stiffness.size() > 1) {
@@ -249,83 +231,6 @@ class SystemChecker {
       if (i > 0 && !(law.corners[i].stretch > law.corners[i - 1].stretch)) {
         wrong_.rising({"stretch ", {}, {}, owner}, law.corners[i].stretch,
                       law.corners[i - 1].stretch, unit);
-      }
-    }
-  }
-
-  /// The frequency of an elastic cable says how many steps its motion takes.
-  void check_frequency(std::size_t index, const CableOfSystem& cable) {
-    CableOfSystem acting = cable;
-    acting.from_time.reset();
-    acting.cut_at.reset();
-    const Elasticity& law = *cable.elasticity;
-    const RowOf<System> row = gap_gradient(acting, system_.initial);
-    const double response = row.dot(row.cwiseProduct(inverse_mass(system_.bodies)));
-    const double first = law.stiffness.front();
-    double stiffest = first;
-    std::string to_lower = stiffness_key(law);
-    for (std::size_t i = 0; i < law.corners.size(); ++i) {
-      if (law.corners[i].stiffness > stiffest) {
-        stiffest = law.corners[i].stiffness;
-        to_lower = stiffness_key(law) + (" of corners[" + std::to_string(i) + "]");
-      }
-    }
-    const double base = base_of(law, cable.length.at(0.0)[0]);
-    const double frequency = std::sqrt(stiffest / base * response);
-    const double ratio = law.damping_ratio > 0.0 ? law.damping_ratio * std::sqrt(first / stiffest)
-                                                 : law.damping * response / (2.0 * frequency);
-    const double above = std::max(1.0, ratio);  // from where on the damper is the faster of both
-    const double fastest = frequency * (above + std::sqrt(above * above - 1.0));
-    const double most = most_radians / system_.duration;
-    if (fastest > most && law.damping > 0.0 && ratio > 1.0) {
-      wrong_.add(cable_name(index) + ": the rate of its damper, " + text(fastest) +
-                 " rad/s, must be at most " + text(most) + " rad/s for a duration of " +
-                 text(system_.duration) + " s: lower its damping to " + text(most / response) +
-                 " N s/m");
-    } else if (fastest > most) {
-      const double share = most / fastest;
-      const std::string restitution =  // of a contact that ends where the tension is 0 (E6)
-          law.cut == ElasticCut::force
-              ? " with restitution " + text(restitution_of(ratio)) + ", which its contacts have"
-              : "";
-      wrong_.add(cable_name(index) + ": its frequency, " + text(fastest) +
-                 " rad/s, must be at most " + text(most) + " rad/s for a duration of " +
-                 text(system_.duration) + " s: make it inextensible" + restitution +
-                 ", or lower its " + to_lower + " to " + text(stiffest * share * share) +
-                 (law.of_strain ? " N" : " N/m"));
-    }
-  }
-
-  /// A force that falls while the stretch grows pulls ever less.
-  void check_turn(std::size_t index, const CableOfSystem& cable) {
-    const Elasticity& law = *cable.elasticity;
-    Function<1> slope;
-    slope.pieces.push_back({0.0, {}});
-    for (std::size_t i = 0; i < law.stiffness.size(); ++i) {
-      slope.pieces.front().coefficients.push_back(
-          Function<1>::Value(static_cast<double>(i + 1) * law.stiffness[i]));
-    }
-    const double length = cable.length.at(0.0)[0];
-    const double base = base_of(law, length);
-    double weight = 0.0;  // [N]
-    for (const auto& body : system_.bodies) {
-      weight += body.mass * system_.gravity.at(0.0).norm() + body.force.at(0.0).norm();
-    }
-    const double energy =
-        kinetic_energy(system_.bodies, system_.initial) + stored_energy(system_, system_.initial);
-    constexpr double shortest = 1e-9;  // [-], of the length
-    constexpr double longest = 1e9;
-    for (double reach = shortest; reach < longest; reach *= 2.0) {
-      const double stretch = reach * length;
-      if (const auto found = not_above_zero(slope, 0.0, stretch / base)) {
-        wrong_.add(cable_name(index) + ": its force falls at a stretch of " +
-                   text(found->time * base) +
-                   " m, which the start and a fall through two lengths may reach; " +
-                   stiffness_key(law) + " must give a force that rises");
-        return;
-      }
-      if (spring_energy(law, stretch, length) > energy + 2.0 * weight * (length + stretch)) {
-        return;
       }
     }
   }
@@ -492,11 +397,13 @@ class SystemChecker {
     for (std::size_t i = 0; i < cable.segments(); ++i) {
       const double apart =
           (end_place(cable.end(i), system_) - end_place(cable.end(i + 1), system_)).norm();
-      if (!cable.through.empty() && apart < shortest_segment * length) {
+      const bool resists = cable.elasticity && cable.elasticity->cut == ElasticCut::never;
+      if ((resists || !cable.through.empty()) && apart < shortest_segment * length) {
         wrong_.add(cable_name(index) + ": its " + end_name(cable, i) + " and its " +
                    end_name(cable, i + 1) + " start " + text(apart) +
-                   " m apart, which gives it no direction; must be at least " +
-                   text(shortest_segment * length) + " m");
+                   " m apart, which gives it no direction" +
+                   (resists ? ", and with cut \"never\" its damper acts there" : "") +
+                   "; must be at least " + text(shortest_segment * length) + " m");
         return;
       }
       distance += apart;

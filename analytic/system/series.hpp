@@ -80,6 +80,7 @@ class SystemSeries {
   using Channel = std::span<Real>;  // of coefficients, in store_
   using Places = Points<Real, D>;   // likewise
   using Given = std::vector<Vector>;
+  using Unit = series::TimeUnit<Real>;
   struct BodySeries {
     const BasicBodyOfSystem<Real, D>* body;
     Places position;
@@ -131,7 +132,7 @@ class SystemSeries {
   void stretch(std::size_t index, std::size_t k);
   void strain(StretchSeries& one, std::size_t k);
   [[nodiscard]] const Real* taken(const StretchSeries& one) const;
-  void add_power(const StretchSeries& one, std::vector<Real>& result) const;
+  void add_power(const StretchSeries& one, const Unit& unit, std::vector<Real>& result) const;
   void pull(const StretchSeries& one, std::size_t k);
   void expand_stretched(StretchSeries& one);
   [[nodiscard]] Real opening(std::size_t index, std::size_t k);
@@ -145,8 +146,9 @@ class SystemSeries {
   [[nodiscard]] Vector place(std::size_t index, std::size_t end, std::size_t k) const;
   [[nodiscard]] Vector turned_place(std::size_t index, std::size_t end, std::size_t k) const;
   [[nodiscard]] Real distance_of(const SegmentSeries& segment, std::size_t k) const;
-  void add_power(const BodySeries& body, std::vector<Real>& result) const;
-  void add_power(const CableSeries& cable, std::vector<Real>& result) const;
+  void add_power(const BodySeries& body, const Unit& unit, std::vector<Real>& result) const;
+  void add_power(const CableSeries& cable, std::size_t terms, const Unit& unit,
+                 std::vector<Real>& result) const;
   [[nodiscard]] Real last_term(std::size_t k) const;
   [[nodiscard]] Real tension_scale(const StretchSeries& one, const Real& load) const;
   [[nodiscard]] Real apart_for(const SegmentSeries& segment, const Real& most) const;

@@ -64,6 +64,46 @@ template <class Real>
   return result * end;
 }
 
+/// A unit of time in which series up to `end` [s] are multiplied: coefficients per second^k of a
+/// short arc are so large that a product of two overflows. It is a power of two, so that nothing is
+/// rounded.
+template <class Real>
+class TimeUnit {
+ public:
+  explicit TimeUnit(const Real& end) : end_(end) {
+    using std::frexp;
+    (void)frexp(end, &doublings_);
+  }
+
+  /// Coefficient k in this unit, from that per second^k.
+  [[nodiscard]] Real of(const Real& coefficient, std::size_t k) const {
+    return scaled(coefficient, static_cast<int>(k));
+  }
+
+  /// The rate per second, in this unit, of the polynomial whose coefficient k is `coefficient(k)`
+  /// per second^k, for k below `count`.
+  template <class Coefficient>
+  [[nodiscard]] Coefficients<Real> rate_of(std::size_t count,
+                                           const Coefficient& coefficient) const {
+    return polynomial<Real>(
+        count - 1, [&](std::size_t k) { return Real(number(k + 1) * of(coefficient(k + 1), k)); });
+  }
+
+  /// The integral over seconds, from 0 to the end, of a polynomial in this unit.
+  [[nodiscard]] Real integral(std::span<const Real> coefficients) const {
+    return scaled(series::integral<Real>(coefficients, scaled(end_, -1)), 1);
+  }
+
+ private:
+  [[nodiscard]] Real scaled(const Real& value, int units) const {
+    using std::ldexp;
+    return Real(ldexp(value, units * doublings_));
+  }
+
+  Real end_;
+  int doublings_ = 0;  // of a second: more than the end, at most twice of it
+};
+
 }  // namespace series
 
 template <class Real, int D>
@@ -170,11 +210,13 @@ class TurningSeries<Real, 2> {
     row[0] = angle_[k];
   }
 
-  /// Adds the power of moment and drag [W]; `last`: the highest order.
-  void add_power(std::size_t last, series::Coefficients<Real>& result) const {
-    const auto spin = series::rate_of<Real>(last + 1, [&](std::size_t k) { return angle_[k]; });
+  /// Adds the power of moment and drag [W] in `unit`; `last`: the highest order.
+  void add_power(std::size_t last, const series::TimeUnit<Real>& unit,
+                 series::Coefficients<Real>& result) const {
+    const auto spin = unit.rate_of(last + 1, [&](std::size_t k) { return angle_[k]; });
     const auto moment = series::polynomial<Real>(last, [&](std::size_t k) {
-      return Real((given_.empty() ? Real(0) : given_[k][0]) - body_->spin_drag * spin[k]);
+      const Real given = given_.empty() ? Real(0) : unit.of(given_[k][0], k);
+      return Real(given - body_->spin_drag * spin[k]);
     });
     series::add_product(result, moment, spin);
   }
@@ -343,13 +385,15 @@ class TurningSeries<Real, 3> {
     }
   }
 
-  /// Adds the power of moment and drag [W]; `last`: the highest order.
-  void add_power(std::size_t last, series::Coefficients<Real>& result) const {
+  /// Adds the power of moment and drag [W] in `unit`; `last`: the highest order.
+  void add_power(std::size_t last, const series::TimeUnit<Real>& unit,
+                 series::Coefficients<Real>& result) const {
     using Coefficients = series::Coefficients<Real>;
     std::array<Coefficients, 3> spin;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto number = static_cast<Eigen::Index>(i);
-      spin[i] = series::polynomial<Real>(last, [&](std::size_t k) { return spin_[k][number]; });
+      spin[i] = series::polynomial<Real>(
+          last, [&](std::size_t k) { return unit.of(spin_[k][number], k); });
       const Coefficients drag = series::polynomial<Real>(
           last, [&](std::size_t k) { return Real(-body_->spin_drag * spin[i][k]); });
       series::add_product(result, drag, spin[i]);
@@ -358,11 +402,11 @@ class TurningSeries<Real, 3> {
       Coefficients in_world;  // the spin about an axis of the world
       for (std::size_t i = 0; i < 3; ++i) {
         const Coefficients part = series::polynomial<Real>(
-            last + 1, [&](std::size_t k) { return Real(axis_[i][k][row]); });
+            last + 1, [&](std::size_t k) { return unit.of(axis_[i][k][row], k); });
         series::add_product(in_world, part, spin[i]);
       }
       const Coefficients moment =
-          series::polynomial<Real>(last, [&](std::size_t k) { return Real(given_[k][row]); });
+          series::polynomial<Real>(last, [&](std::size_t k) { return unit.of(given_[k][row], k); });
       series::add_product(result, moment, in_world);
     }
   }

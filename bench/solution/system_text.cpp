@@ -99,11 +99,11 @@ class Sentences {
     const bool rests = solution.ending() == Ending::rest;
     const double since = rests ? solution.arcs().back().start : solution.end_time();
     const double error = motion_.horizon() ? -1.0 : std::max(errors_.lock, 0.0);
-    if (const auto met = at_its_ring()) {
-      return fmt::format(
-          "Stopped at {}: an end of cable {} is at a ring of it, and the cable has no direction "
-          "there.",
-          time(since, error), *met);
+    if (const auto met = without_direction()) {
+      const bool straight = motion_.system().cables[*met].through.empty();
+      return fmt::format("Stopped at {}: {} of cable {} {}, and the cable has no direction there.",
+                         time(since, error), straight ? "the ends" : "an end", *met,
+                         straight ? "have met" : "is at a ring of it");
     }
     if (const auto culprits = asking_too_much(); !culprits.empty()) {
       const bool one = culprits.size() == 1;
@@ -117,8 +117,9 @@ class Sentences {
                            shortest(motion_.system().duration), solution.events().size());
   }
 
-  /// The cable on which two ends have met, where that ends the motion.
-  [[nodiscard]] std::optional<std::size_t> at_its_ring() const {
+  /// The cable on which two ends have met, where that ends the motion: it runs through rings, or
+  /// resists while it is slack.
+  [[nodiscard]] std::optional<std::size_t> without_direction() const {
     constexpr double met = 1e-9;  // [-], of the cable's length
     const auto& solution = motion_.solution();
     const auto state = solution.at(solution.end_time());
@@ -127,8 +128,10 @@ class Sentences {
          solution.ending() == Ending::singular && !result && i < motion_.system().cables.size();
          ++i) {
       const auto& cable = motion_.system().cables[i];
+      const bool resists = cable.elasticity && cable.elasticity->cut == ElasticCut::never;
       each_segment(cable, state, [&](std::size_t, const auto& segment) {
-        if (segment.distance <= met * cable.length.at(state.time)[0]) {
+        if (cable.acts_at(state.time) && (resists || !cable.through.empty()) &&
+            segment.distance <= met * cable.length.at(state.time)[0]) {
           result = i;
         }
       });

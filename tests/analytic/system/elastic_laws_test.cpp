@@ -246,6 +246,17 @@ TEST(CutOfNothing, BrakesASlackCableToo) {
   EXPECT_NEAR(ledger.dissipated, 0.5 - later * later / 2.0, 1e-14);
 }
 
+TEST(CutOfNothing, AccountsForAPassByItsAnchor) {
+  System system =
+      drop<double>(with_cut(with_damping(100.0, 0.1), ElasticCut::never), 10.0, 0.0, 1.8);
+  for (const double off : {1e-3, 1e-6, 1e-9}) {
+    system.initial.bodies[0].position.x() = off;
+    const SystemLedger ledger = energy_ledger(system, solve(system));
+    EXPECT_GT(ledger.dissipated, 0.1);
+    expect_within("passes at " + std::to_string(off) + " m", std::abs(ledger.residual), 1e-12);
+  }
+}
+
 /// All systems that are compared with another method, or whose energy is looked at.
 std::vector<std::pair<std::string, System>> systems_of_laws() {
   const System breakwater = breakwater_system<double>(1.0);
@@ -323,6 +334,67 @@ TEST(LawsOfElasticity, SwitchOfMirroredCablesIsOneEvent) {
   }
 }
 
+/// A mass at rest, whose anchor leaves it at `speed` [m/s] without gravity.
+System towed(const Elasticity& law, double speed) {
+  System system = drop<double>(law, 0.0, 0.0, 0.1);
+  system.duration = 2.0;
+  system.cables[0].to.motion =
+      Function<2>::linear({0.0, 2.0}, {Vec2(0.0, 0.0), Vec2(0.0, 2.0 * speed)});
+  return system;
+}
+
+TEST(FallingForce, IsRefusedWhereSomethingDrivesTheCable) {
+  Elasticity law = with_damping(10.0, 0.0);
+  law.stiffness = {10.0, -10.0};
+  const std::string words =
+      "m, which a motion that is driven over time may reach; stiffness must give";
+  const auto expect_words = [&](const System& system, const std::string& why) {
+    const auto found = problems(system);
+    ASSERT_EQ(found.size(), 1U) << why;
+    EXPECT_NE(found[0].find(words), std::string::npos) << found[0];
+  };
+  const System still = drop<double>(law, 0.0, 0.0, 0.1);
+  EXPECT_TRUE(problems(still).empty());
+  expect_words(towed(law, 2.0), "an end moves");
+  System system = still;
+  system.bodies[0].force.waves = {{Vec2(1.0, 0.0), 3.0, std::numbers::pi / 2.0}};  // none at first
+  expect_words(system, "a load varies");
+  system = still;
+  system.cables[0].length =
+      Function<1>::linear({0.0, 0.5}, {Function<1>::Value(1.0), Function<1>::Value(0.5)});
+  expect_words(system, "a length varies");
+  system = still;
+  system.cables[0].from_time = 0.5;
+  expect_words(system, "it may be hooked up at any stretch");
+  // another body moves by itself
+  system = still;
+  system.bodies.push_back({});
+  system.bodies[1].name = "other";
+  system.bodies[1].force.waves = {{Vec2(1.0, 0.0), 3.0, std::numbers::pi / 2.0}};
+  system.initial.bodies.push_back({});
+  EXPECT_TRUE(problems(system).empty()) << problems(system).front();
+  law.stiffness = {10.0, -10.0, 10.0};  // rises everywhere
+  EXPECT_TRUE(problems(towed(law, 2.0)).empty());
+}
+
+TEST(FallingForce, LeavesAnUndampedCableLooseWhereItEnds) {
+  constexpr double speed = 20.0;  // [m/s], of the anchor, which stops after 2 s
+  Elasticity law = with_damping(10.0, 0.0);
+  law.stiffness = {10.0, -1.0};  // no force from a stretch of 10 m on
+  System system = towed(law, speed);
+  system.duration = 3.2;
+  const auto solution = solve(system);
+  ASSERT_EQ(solution.ending(), Ending::reached_duration);
+  const auto found = elastic_contacts(solution);
+  ASSERT_EQ(found.size(), 2U);
+  const double left = std::sqrt(speed * speed - 2.0 * spring_energy(law, 10.0, 1.0));
+  EXPECT_NEAR(found[0].exit_speed, -left, 1e-12);
+  EXPECT_NEAR(gap(system.cables[0], solution.at(*found[0].exit)), -10.0, 1e-12);
+  EXPECT_NEAR(gap(system.cables[0], solution.at(found[1].entry)), -10.0, 1e-12);
+  const SystemLedger ledger = energy_ledger(system, solution);
+  expect_within("residual", std::abs(ledger.residual) / ledger.range, 1e-14);
+}
+
 TEST(LawsOfElasticity, HaveOneSentenceForEachProblem) {
   const auto expect_words = [](const Elasticity& law, const std::string& words) {
     const auto found = problems(drop<double>(law, 9.81, 1.0, 0.1));
@@ -343,6 +415,9 @@ TEST(LawsOfElasticity, HaveOneSentenceForEachProblem) {
   pushing.cut = ElasticCut::stretch;  // its contacts have another restitution than (E6)
   expect_words(pushing, "s: make it inextensible, or lower its stiffness to ");
   expect_words(with_ratio(1e15, 0.3), "make it inextensible with restitution 0.45097545");
+  // a contact that stays below the corner has it
+  expect_words(with_corners(with_ratio(1e10, 0.3), {{0.1, 1e15}}),
+               "make it inextensible with restitution 0.45097545");
   expect_words(of_strain(-5.0, 0.0), "EA -5 must be a finite number above 0 [N]");
   expect_words(of_strain(1e15, 0.0), "or lower its EA to ");
   Elasticity falls = of_strain(1e2, 0.0);

@@ -399,6 +399,27 @@ TEST(ElasticCable, AccountsForEveryJoule) {
   expect_within("box", residual(elastic_box<double>(with_ratio(2e3, 0.05))), allowed);
 }
 
+TEST(ElasticCable, AccountsForAContactOfNanoseconds) {
+  System system = drop<double>(with_ratio(4e14, 0.1), 0.0, 1.0, 0.05);
+  system.duration = 0.1;
+  ASSERT_TRUE(problems(system).empty());
+  const SystemLedger ledger = energy_ledger(system, solve(system));
+  const double kept = restitution_of(0.1);
+  // a stretch of 4e-8 m is the difference of numbers like 1 m
+  EXPECT_NEAR(ledger.dissipated, (1.0 - kept * kept) / 2.0, 1e-7);
+  expect_within("residual", std::abs(ledger.residual), 1e-7);
+}
+
+TEST(ElasticCable, AccountsForArcsThatDoubleItsLength) {
+  // an anchor that runs away at 20 m/s stretches a soft cable by metres
+  System system = drop<double>(with_damping(10.0, 0.0), 0.0, 0.0, 0.1);
+  system.cables[0].to.motion = Function<2>::linear({0.0, 1.0}, {Vec2(0.0, 0.0), Vec2(0.0, 20.0)});
+  system.duration = 0.7;
+  const SystemLedger ledger = energy_ledger(system, solve(system));
+  EXPECT_GT(ledger.stored, 100.0);
+  expect_within("residual", std::abs(ledger.residual) / ledger.range, 1e-14);
+}
+
 TEST(ElasticCable, PullsInTheTensionsOfItsSolution) {
   const System system = drop<double>(with_ratio(1e4, 0.1), 9.81, 1.0, 0.0);
   const auto solution = solve(system);
@@ -427,20 +448,74 @@ void expect_problem(const System& system, const std::string& words) {
   EXPECT_THROW((void)solve(system), std::invalid_argument);
 }
 
+/// The number that follows `words` in the only sentence on `system`.
+double advised(const System& system, const std::string& words) {
+  const auto found = problems(system);
+  EXPECT_EQ(found.size(), 1U);
+  const std::size_t place = found.empty() ? std::string::npos : found[0].find(words);
+  if (place == std::string::npos) {
+    ADD_FAILURE() << "\"" << words << "\" is not in: " << (found.empty() ? "" : found[0]);
+    return 0.0;
+  }
+  return std::stod(found[0].substr(place + words.size()));
+}
+
 TEST(ElasticCable, SaysHowToSlowAStiffCableOrADamper) {
   System stiff = drop<double>(with_ratio(1e15, 0.1), 9.81, 1.0, 0.1);
   System damped = drop<double>(with_damping(1.0, 1e9), 9.81, 1.0, 0.1);
+  System by_ratio = drop<double>(with_ratio(1e4, 1e6), 9.81, 1.0, 0.1);
   for (const auto& [system, advice, number] :
        {std::tuple(&stiff, "or lower its stiffness to ",
                    &stiff.cables[0].elasticity->stiffness.front()),
-        std::tuple(&damped, "lower its damping to ", &damped.cables[0].elasticity->damping)}) {
-    const auto found = problems(*system);
-    ASSERT_EQ(found.size(), 1U);
-    const std::size_t place = found[0].find(advice);
-    ASSERT_NE(place, std::string::npos) << found[0];
-    *number = 0.999 * std::stod(found[0].substr(place + std::string(advice).size()));
+        std::tuple(&damped, "lower its damping to ", &damped.cables[0].elasticity->damping),
+        std::tuple(&by_ratio, "lower its damping_ratio to ",
+                   &by_ratio.cables[0].elasticity->damping_ratio)}) {
+    *number = 0.999 * advised(*system, advice);
     EXPECT_TRUE(problems(*system).empty()) << problems(*system).front();
   }
+}
+
+TEST(ElasticCable, TellsAFastDamperFromAStiffCable) {
+  // of 100 rad/s
+  System system = drop<double>(with_ratio(1e4, damping_ratio_of(1e-12)), 9.81, 1.0, 0.1);
+  Elasticity& law = *system.cables[0].elasticity;
+  EXPECT_NEAR(advised(system, "the rate of its damper, ") / 1e8, 1.0, 1e-9);
+  law.damping_ratio = 1.001 * damping_ratio_of(advised(system, "(a restitution of "));
+  EXPECT_EQ(problems(system).size(), 1U);
+  law.damping_ratio *= 0.998;
+  EXPECT_TRUE(problems(system).empty());
+  // where both are too fast it says how to slow both
+  for (const bool of_ratio : {true, false}) {
+    law = of_ratio ? with_ratio(1e16, 30.0) : with_damping(1e16, 6e9);
+    const double softer = 0.999 * advised(system, of_ratio ? ") and its stiffness to "
+                                                           : " N s/m and its stiffness to ");
+    double& damper = of_ratio ? law.damping_ratio : law.damping;
+    damper =
+        0.999 * advised(system, of_ratio ? "lower its damping_ratio to " : "lower its damping to ");
+    law.stiffness = {softer};
+    EXPECT_TRUE(problems(system).empty()) << problems(system).front();
+  }
+}
+
+TEST(ElasticCable, IsTooStiffAlsoWhereItsEndsMeetAtTheStart) {
+  // in any direction, as the bound for the directions has it: that of an arm, and of the mass
+  System system = drop<double>(with_ratio(1e17, 0.0), 9.81, 0.0, 1.0);
+  EXPECT_NEAR(advised(system, "its frequency, ") / std::sqrt(1e17), 1.0, 1e-12);
+  system.bodies[0].inertia = 0.25;
+  system.cables[0].from.at = Vec2(0.0, 0.5);
+  system.initial.bodies[0].position.y() -= 0.5;
+  EXPECT_NEAR(advised(system, "its frequency, ") / std::sqrt(2e17), 1.0, 1e-12);
+  system.cables[0].elasticity->stiffness = {1e4};
+  EXPECT_TRUE(problems(system).empty());
+}
+
+TEST(ElasticCable, WithoutACutNeedsADirectionAtTheStart) {
+  System system = drop<double>(with_damping(160.0, 5.0), 9.81, 0.0, 1.0);
+  EXPECT_TRUE(problems(system).empty());
+  system.cables[0].elasticity->cut = ElasticCut::never;
+  expect_problem(system,
+                 "start 0 m apart, which gives it no direction, and with cut \"never\" its damper "
+                 "acts there; must be at least 1e-06 m");
 }
 
 TEST(ElasticCable, HasOneSentenceForEachProblem) {

@@ -153,6 +153,22 @@ TEST(SolveSystems, SayThatACableIsPulledIntoItsRing) {
   EXPECT_EQ(output.find("nan"), std::string::npos) << output;
 }
 
+TEST(SolveSystems, SayThatTheEndsOfACableWithoutACutMeet) {
+  const TemporaryFolder folder;
+  const auto file = folder.file("meet.toml",
+                                "name = \"meet\"\ngravity = [0.0, -10.0]\nduration = 3\n"
+                                "[[bodies]]\nname = \"a\"\nmass = 1\nposition = [0, 0.8]\n"
+                                "[[cables]]\nfrom = { body = \"a\" }\nto = [0, 0]\nlength = 1\n"
+                                "stiffness = 100\ndamping = 5\ncut = \"never\"\n");
+  std::string output = program({"solve", file.string()}).output;
+  std::replace(output.begin(), output.end(), '\n', ' ');
+  expect_says(
+      output,
+      "Stopped at t = 0.589506: the ends of cable 0 have met, and the cable has no direction "
+      "there.");
+  EXPECT_EQ(output.find("nan"), std::string::npos) << output;
+}
+
 /// A ball on a cable through its centre, which swings out of the plane and spins.
 const char* const ball_in_space = R"(name = "ball in space"
 duration = 6.0

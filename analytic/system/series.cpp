@@ -528,8 +528,13 @@ Real SystemSeries<Real, D>::reach(const Real& error) const {
 template <class Real, int D>
 Real SystemSeries<Real, D>::apart_for(const SegmentSeries& segment, const Real& most) const {
   const Real distance = segment.distance[0].x();
-  const Real rate = abs(segment.distance[1].x());
-  Real result = !isfinite(most) && rate > 0 ? Real(distance / rate) : most;
+  Real result = most;
+  for (std::size_t k = 1; k <= order_ && !isfinite(result); ++k) {  // by the first that moves them
+    const Real term = abs(segment.distance[k].x());
+    if (term > 0) {
+      result = k == 1 ? Real(distance / term) : Real(pow(Real(distance / term), Real(1) / Real(k)));
+    }
+  }
   const auto may_meet = [&](const Real& time) {
     Real change(0);
     Real power(1);

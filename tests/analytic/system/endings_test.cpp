@@ -98,6 +98,25 @@ TEST(SystemEndings, ABodyThatIsPulledIntoARingIsSingular) {
   expect_within("time [s]", std::abs(solution.end_time() - 4.0 / 3.0), 1e-6);
 }
 
+TEST(SystemEndings, ABodyAtRestFallsPastARingAndIntoItsCable) {
+  for (const double beside : {1e-3, 1e-6, 1e-9}) {
+    System system;
+    system.bodies.resize(1);
+    CableOfSystem cable;
+    cable.from.body = 0;
+    cable.through = {{std::nullopt, {0.0, 0.0}, {}}};
+    cable.to.motion = Function<2>::constant(Vec2(0.0, 1.0));
+    cable.length = Function<1>::constant(3.0);
+    cable.restitution = 0.5;
+    system.cables = {cable};
+    system.initial.bodies = {{{beside, 1.0}, 0.0, {0.0, 0.0}, 0.0}};
+    system.duration = 2.5;  // it falls 1 m to the ring and 2 m more in sqrt(6) s
+    const SystemSolution solution = solve(system);
+    ASSERT_EQ(solution.events().size(), 1U) << beside;
+    EXPECT_NEAR(solution.events()[0].time, std::sqrt(6.0), beside * beside + 1e-14) << beside;
+  }
+}
+
 TEST(SystemEndings, AnAnchorMayPassTheAttachmentOfASlackCable) {
   System system;
   system.bodies.resize(1);

@@ -35,7 +35,7 @@ class Mujoco : public testing::Test {
   std::optional<bench::Plugin> plugin_;
 };
 
-constexpr double step = 1e-3;
+constexpr double bounce_step = 1e-3;
 
 /// The restitution of the first bounce without gravity, which begins `late` [-] of a step before
 /// the cable is looked at: the rate when the pull has ended.
@@ -44,11 +44,11 @@ double restitution_of_bounce(const Engine& engine, const std::string& model, dou
   Case the_case = bouncing_ball(e);
   the_case.gravity = Vec2(0.0, 0.0);
   the_case.initial.velocity = Vec2(0.0, -1.0);
-  the_case.initial.position.y() = (200.0 - late) * step;
+  the_case.initial.position.y() = (200.0 - late) * bounce_step;
   double result = std::nan("");
   bool pulled = false;
-  const auto simulation = engine.start(the_case, model, step);
-  run(*simulation, step, 1.0, [&](const Moment& moment) {
+  const auto simulation = engine.start(the_case, model, bounce_step);
+  run(*simulation, bounce_step, 1.0, [&](const Moment& moment) {
     const bool pulls = simulation->impulses()[0] > 0.0;
     if (pulled && !pulls && std::isnan(result)) {
       result = gap_rate(the_case.cables.front(), moment.after);  // it closed at 1 m/s

@@ -11,7 +11,7 @@
 #include "tautline/system_geometry.hpp"
 #include "words.hpp"
 
-// Why an elastic cable of a system that is sound else cannot be solved.
+// Why an elastic cable of an otherwise sound system cannot be solved.
 
 namespace tautline {
 

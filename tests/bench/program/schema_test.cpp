@@ -141,7 +141,7 @@ const std::map<std::string, FileKind>& file_kinds() {
         [](const std::string& text) { return read_system_text(text, "f").problems; },
         {"larger in size than", "is an array of length 3, must be two", "unknown body",
          ": stiffness ", ": corners[", "one of them must be on a body",
-         "for no damping takes all speed", "its frequency"}}},
+         "for no damping takes all speed", " rad/s, must be at most"}}},
       {"spec",
        {fuzz_seed("spec.toml"),
         [](const std::string& text) { return bench::read_spec_text(text, "f").problems; },

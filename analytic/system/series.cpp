@@ -532,7 +532,8 @@ Real SystemSeries<Real, D>::apart_for(const SegmentSeries& segment, const Real& 
   for (std::size_t k = 1; k <= order_ && !isfinite(result); ++k) {  // by the first that moves them
     const Real term = abs(segment.distance[k].x());
     if (term > 0) {
-      result = k == 1 ? Real(distance / term) : Real(pow(Real(distance / term), Real(1) / Real(k)));
+      result = distance / term;
+      result = k == 1 ? result : root(result, static_cast<double>(k));
     }
   }
   const auto may_meet = [&](const Real& time) {

@@ -1,4 +1,4 @@
-"""A Poincaré section of a point mass on elastic cables: motions of one energy, each with a colour of its own."""
+"""A Poincaré section of a point mass on cables of restitution 1: motions of one energy, each with a colour of its own."""
 import matplotlib.pyplot as plt
 import numpy as np
 import tautline as tl

@@ -407,8 +407,7 @@ void StrictTable::refuse_unknown_keys(const toml::table& table) {
   }
 }
 
-void StrictTable::mark(std::string_view key, std::vector<std::string_view> Form::*rule,
-                       Keys others) {
+void StrictTable::note_rule(std::string_view key, Keys Form::*rule, const Keys& others) {
   if (describes()) {
     for (Form& form : form_->inside) {
       if (form.key == key) {
@@ -418,17 +417,12 @@ void StrictTable::mark(std::string_view key, std::vector<std::string_view> Form:
   }
 }
 
-void StrictTable::needs(std::string_view key, Keys others) { mark(key, &Form::needs, others); }
-
-void StrictTable::required_unless(std::string_view key, Keys others) {
-  mark(key, &Form::unless, others);
-}
-
-void StrictTable::refuse_beside(std::string_view key, Keys others, const std::string& right) {
-  mark(key, &Form::not_beside, others);
-  for (const std::string_view other : others) {
+void StrictTable::refuse_beside(std::string_view key, const Keys& others,
+                                const std::string& right) {
+  note_rule(key, &Form::not_beside, others);
+  for (const std::string& other : others) {
     if (!describes() && has(other)) {
-      return refuse_value(key, "is there with " + std::string(other) + ", " + right);
+      return refuse_value(key, "is there with " + other + ", " + right);
     }
   }
 }

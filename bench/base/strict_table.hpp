@@ -28,7 +28,7 @@ inline constexpr std::size_t no_most = std::numeric_limits<std::size_t>::max();
 /// file also describes it.
 class StrictTable {
  public:
-  using Keys = std::initializer_list<std::string_view>;
+  using Keys = std::vector<std::string>;
 
   /// `path` is the table's full key, "" for the file itself; a `table` that is null lacks every
   /// key.
@@ -105,16 +105,12 @@ class StrictTable {
     with_ = "";
   }
 
-  /// Notes that `key`, which has been asked for, is refused without one of `others`,
-  /// which are constants.
-  void needs(std::string_view key, Keys others);
-
-  /// Notes that `key`, which has been asked for, may be missing where one of `others` is there.
-  void required_unless(std::string_view key, Keys others);
+  /// Notes a `rule` of a form for `key`, which has been asked for: what `others` are to it.
+  void note_rule(std::string_view key, Keys Form::*rule, const Keys& others);
 
   /// Refuses `key`, which has been asked for, where one of `others` is there; `right` ends the
   /// finding.
-  void refuse_beside(std::string_view key, Keys others, const std::string& right);
+  void refuse_beside(std::string_view key, const Keys& others, const std::string& right);
 
   /// How many of `keys` the table has. It must have one of them: the caller refuses another number.
   [[nodiscard]] std::size_t count(const std::vector<std::string>& keys);
@@ -165,8 +161,6 @@ class StrictTable {
  private:
   /// The note of a question; null where a file is read.
   Form* note(Form::Kind kind, const Key& key, std::string_view unit = "");
-  /// Writes `rule` of a `key` that was asked for, where questions are noted.
-  void mark(std::string_view key, std::vector<std::string_view> Form::*rule, Keys others);
   /// The answer of `ask`; none where `key` is missing.
   template <class Ask>
   auto if_there(const Key& key, const Ask& ask) -> std::optional<decltype(ask())>;

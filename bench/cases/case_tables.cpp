@@ -221,7 +221,7 @@ std::pair<typename TheCase::Cable, bool> read_cable(StrictTable& table, const Th
   }
   bool taut = false;
   if constexpr (is_system) {
-    table.required_unless("restitution", {"stiffness", "EA"});
+    table.note_rule("restitution", &Form::unless, {"stiffness", "EA"});
     if (is_elastic || table.describes()) {
       refuse_beside_elasticity(table);
     }
@@ -505,7 +505,7 @@ TheSystem read_system_tables(StrictTable root) {
   const auto read_only = [&](TheSystem& system) {
     system.bodies = {read_only_body<typename TheSystem::Body>(root)};
     system.initial.bodies = {read_only_start<typename TheSystem::State::Body>(root)};
-    root.needs("body", {"cables"});
+    root.note_rule("body", &Form::needs, {"cables"});
   };
   const auto read_all_bodies = [&](TheSystem& system) {
     system.gravity = read_function<dimension>(root.table_or(gravity_key, "value", true), "[m/s^2]");

@@ -102,7 +102,7 @@ inline std::optional<Elasticity> read_elasticity(StrictTable& table) {
     read_cut(table, law);
   }
   for (const char* const key : {"damping", "damping_ratio", "corners", "cut"}) {
-    table.needs(key, {"stiffness", "EA"});
+    table.note_rule(key, &Form::needs, {"stiffness", "EA"});
     if (!is_elastic) {
       table.refuse_value(key, "is for an elastic cable, must be there with stiffness or EA");
     }

@@ -138,9 +138,9 @@ bool is_required(const Form& key) {
 }
 
 /// A schema for each of `keys` that a table may have.
-Json any_of_keys(const std::vector<std::string_view>& keys) {
+Json any_of_keys(const std::vector<std::string>& keys) {
   Json result = Json::array();
-  for (const std::string_view key : keys) {
+  for (const std::string& key : keys) {
     result.push_back({{"required", {key}}});
   }
   return result;
